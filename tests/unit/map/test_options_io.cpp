@@ -2,18 +2,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
+#include <rtob/core/option_checks.h>
 #include <rtob/map/options_io.h>
+
+#include "error_message.h"
+#include "temporary_file.h"
 
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <utility>
 
 using mrpt::config::CConfigFileMemory;
+using rtob::test::error_message;
+using rtob::test::TemporaryFile;
 using testing::HasSubstr;
 
 namespace
@@ -55,9 +59,7 @@ struct ProbeOptions
     }
     void validate() const
     {
-        if (!(max_distance_m > 0))
-            throw std::invalid_argument(
-                "key max_distance_m: " + std::to_string(max_distance_m) + " is not > 0");
+        rtob::require(max_distance_m > 0, "max_distance_m", max_distance_m, "> 0");
     }
 };
 
@@ -69,52 +71,9 @@ ProbeOptions loaded(const std::string& body)
     return options;
 }
 
-/// What the call threw; empty when it threw nothing.
-template <class Error = std::runtime_error, class Call>
-std::string message_of(Call&& call)
-{
-    try
-    {
-        call();
-    }
-    catch (const Error& e)
-    {
-        return e.what();
-    }
-    return {};
-}
-
 std::string load_error(const std::string& body)
 {
-    return message_of([&] { (void)loaded(body); });
-}
-
-/// A file in the test's own folder that goes when the test ends.
-class TemporaryFile
-{
- public:
-    explicit TemporaryFile(const std::string& text)
-        : path_(
-              testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() +
-              ".ini")
-    {
-        std::ofstream(path_, std::ios::binary) << text;
-    }
-    ~TemporaryFile() { std::filesystem::remove(path_); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const std::string& path() const { return path_; }
-
- private:
-    std::string path_;
-};
-
-std::string open_error(const std::string& text)
-{
-    const TemporaryFile file(text);
-    const auto message = message_of([&] { (void)rtob::open_config(file.path()); });
-    EXPECT_THAT(message, HasSubstr(file.path()));
-    return message;
+    return error_message([&] { (void)loaded(body); });
 }
 
 template <class Number>
@@ -213,11 +172,12 @@ TEST(LoadOptions, RefusesAnUnknownKeyAndSuggestsTheNearest)
 
 TEST(LoadOptions, ValidatesAndNamesTheFile)
 {
-    const TemporaryFile file("[Probe]\nmax_distance_m = -1\n");
+    const TemporaryFile file(".ini", "[Probe]\nmax_distance_m = -1\n");
     const auto config = rtob::open_config(file.path());
     ProbeOptions options;
-    const auto message = message_of([&] { rtob::load_options(config, "Probe", options); });
-    EXPECT_THAT(message, HasSubstr(file.path() + ", section [Probe], key max_distance_m: -1"));
+    const auto message = error_message([&] { rtob::load_options(config, "Probe", options); });
+    EXPECT_THAT(
+        message, HasSubstr(file.path() + ", section [Probe], max_distance_m = -1 is out of range"));
 }
 
 TEST(LoadOptions, LeavesTheOptionsAloneWhenItThrows)
@@ -246,7 +206,7 @@ TEST(SaveOptions, AFileRoundTripIsExactToTheBit)
         saved.max_distance_m = value;
         std::ostringstream text;
         rtob::save_options(text, "Probe", saved);
-        const TemporaryFile file(text.str());
+        const TemporaryFile file(".ini", text.str());
         ProbeOptions read;
         rtob::load_options(rtob::open_config(file.path()), "Probe", read);
         EXPECT_TRUE(same_bits(read.max_distance_m, value)) << text.str();
@@ -266,7 +226,7 @@ TEST(SaveOptions, AnEmptyTextSurvivesTheRoundTrip)
     saved.label = "";
     std::ostringstream text;
     rtob::save_options(text, "Probe", saved);
-    const TemporaryFile file(text.str());
+    const TemporaryFile file(".ini", text.str());
     ProbeOptions read;
     rtob::load_options(rtob::open_config(file.path()), "Probe", read);
     EXPECT_EQ(read.label, "");
@@ -310,10 +270,10 @@ TEST(SetOption, NamesTheKeyItRefuses)
     ProbeOptions options;
     using Error = std::invalid_argument;
     EXPECT_THAT(
-        message_of<Error>([&] { rtob::set_option(options, "itertions", "1"); }),
+        error_message<Error>([&] { rtob::set_option(options, "itertions", "1"); }),
         HasSubstr("unknown key 'itertions'; did you mean 'iterations'?"));
     EXPECT_THAT(
-        message_of<Error>([&] { rtob::set_option(options, "count", "many"); }),
+        error_message<Error>([&] { rtob::set_option(options, "count", "many"); }),
         HasSubstr("key count: 'many' is not a whole number from 0"));
 }
 
@@ -325,51 +285,4 @@ TEST(OptionsMarkdown, HasOneRowPerField)
     EXPECT_THAT(text, HasSubstr("| `gain` | `0.1` | a\\|b |\n"));
     EXPECT_THAT(text, HasSubstr("| `colour` | `red` | of the line; one of: red, dark_blue |\n"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4 + 8);  // heading, table head, 8 fields
-}
-
-TEST(OpenConfig, RefusesWhatIsNoReadableFile)
-{
-    const auto error_of = [](const std::string& path)
-    { return message_of([&] { (void)rtob::open_config(path); }); };
-    EXPECT_THAT(error_of("/nowhere/x.ini"), HasSubstr("/nowhere/x.ini does not exist"));
-    EXPECT_THAT(error_of(testing::TempDir()), HasSubstr("is not a regular file"));
-}
-
-TEST(OpenConfig, AcceptsWhatMrptReads)
-{
-    const TemporaryFile file(
-        "\xEF\xBB\xBF; head\r\n@define N 3\r\n// a comment = here\r\n[Probe] // the probe\r\n\r\n"
-        "iterations = ${N}\r\nlabel = front \\\r\n laser\r\n# end");
-    ProbeOptions options;
-    rtob::load_options(rtob::open_config(file.path()), "Probe", options);
-    EXPECT_EQ(options.iterations, 3);
-}
-
-TEST(OpenConfig, NamesTheLineThatMrptWouldSkip)
-{
-    EXPECT_THAT(open_error("[A]\nx = 1\nnonsense\n"), HasSubstr("line 3: 'nonsense' is neither"));
-    EXPECT_THAT(open_error("[A\nx = 1\n"), HasSubstr("line 1: '[A' lacks its closing ']'"));
-    EXPECT_THAT(open_error("[A]\n= 1\n"), HasSubstr("line 2: '= 1' lacks the key"));
-    EXPECT_THAT(open_error("x = 1\n[A]\n"), HasSubstr("line 1: key 'x' stands before the first"));
-    EXPECT_THAT(open_error("[]\n"), HasSubstr("line 1: a section without a name"));
-    EXPECT_THAT(open_error("[A] x = 1\n"), HasSubstr("line 1: text after the section's ']'"));
-}
-
-TEST(OpenConfig, RefusesAKeyThatIsSetTwice)
-{
-    EXPECT_THAT(
-        open_error("[A]\nx = 1\n[B]\nx = 2\n[a]\nX = 3\n"),
-        HasSubstr("line 6: key 'X' of section [a] was set already in line 2"));
-}
-
-TEST(CheckSections, RefusesAnUnknownSectionAndSuggestsTheNearest)
-{
-    const CConfigFileMemory config(std::string("// c = d\n[Probe]\nx=1\n[Filtr]\ny=1\n"));
-    EXPECT_NO_THROW(rtob::check_sections(config, {"Filtr", "Probe", "Slam"}));
-    EXPECT_THAT(
-        message_of(
-            [&] {
-                rtob::check_sections(config, {"Filter", "Probe"});
-            }),
-        HasSubstr("unknown section [Filtr]; did you mean 'Filter'?"));
 }
