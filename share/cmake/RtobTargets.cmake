@@ -15,7 +15,8 @@ function(rtob_configure_target target)
     $<$<CONFIG:Debug>:-D_DEBUG>)
   if(RTOB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${RTOB_SANITIZE} -fno-omit-frame-pointer
-                                             -fno-sanitize-recover=all)
+                                             -fno-sanitize-recover=all
+                                             -D_GLIBCXX_ASSERTIONS)
     target_link_options(${target} PUBLIC -fsanitize=${RTOB_SANITIZE})
   endif()
   set_target_properties(${target} PROPERTIES
