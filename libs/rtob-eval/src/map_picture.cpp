@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/eval/map_picture.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "picture_frame.h"
+#include "picture_layers.h"
+#include "point_shading.h"
+
+namespace rtob
+{
+namespace
+{
+const cv::Scalar page_bgr(251, 249, 247), wall_bgr(66, 48, 34);
+
+/// 1234567 as "1 234 567".
+std::string grouped(std::size_t number)
+{
+    std::string text = std::to_string(number);
+    for (auto i = static_cast<std::ptrdiff_t>(text.size()) - 3; i > 0; i -= 3)
+        text.insert(static_cast<std::size_t>(i), " ");
+    return text;
+}
+
+double length_m(const std::vector<Pose2>& path)
+{
+    double length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+        const double step = std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+        if (std::isfinite(step)) length += step;
+    }
+    return length;
+}
+
+std::string facts_of(const MapPictureInput& input, const Box& visible_map)
+{
+    const auto rounded = [](double metres) { return std::to_string(std::lround(metres)); };
+    return rounded(visible_map.max_x - visible_map.min_x) + " m x " +
+           rounded(visible_map.max_y - visible_map.min_y) + " m,  " +
+           grouped(input.points_map.size) + " points,  " + rounded(length_m(input.path)) +
+           " m driven in " + grouped(input.path.size()) + " poses";
+}
+
+void resize(Canvas& canvas, double factor, int interpolation)
+{
+    cv::Mat resized;
+    cv::resize(canvas.image, resized, {}, factor, factor, interpolation);
+    canvas.image = resized;
+}
+}  // namespace
+
+cv::Mat draw_map(const MapPictureInput& input)
+{
+    if (input.max_long_side_px < 400)
+        throw std::invalid_argument("a map picture needs a long side of at least 400 px");
+    const Box visible_map = visible_box(input.points_map, input.path);
+    const PictureFrame frame = fitted_frame(visible_map, input.max_long_side_px);
+
+    Canvas canvas{cv::Mat(frame.picture_px, CV_8UC3, page_bgr), 1, frame};
+    draw_ground(canvas);
+    shade_points(canvas.image, input.points_map, frame, wall_bgr);
+    // Walls keep the picture's own pixels, which makes them crisp; lines and letters are drawn
+    // larger.
+    canvas.zoom = 2;
+    resize(canvas, canvas.zoom, cv::INTER_NEAREST);
+    draw_path(canvas, input.path);
+    draw_start_and_end(canvas, input.path);
+    draw_header(canvas, input.title, facts_of(input, visible_map));
+    draw_footer(canvas, !input.path.empty());
+    resize(canvas, 1.0 / canvas.zoom, cv::INTER_AREA);
+    return canvas.image;
+}
+
+void write_map_picture(const std::string& file, const MapPictureInput& input)
+{
+    std::vector<uchar> png;
+    if (!cv::imencode(".png", draw_map(input), png))
+        throw std::runtime_error("the picture " + file + " cannot be encoded");
+    const std::string unfinished = file + ".part";
+    std::ofstream out(unfinished, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    out.close();
+    if (!out)
+    {
+        std::error_code ignored;  // the first error is the one to tell
+        std::filesystem::remove(unfinished, ignored);
+        throw std::runtime_error(
+            "the picture " + unfinished + " cannot be written: is its folder there, with room?");
+    }
+    std::filesystem::rename(unfinished, file);
+}
+}  // namespace rtob
