@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdio>
 #include <rtob/core/pose2.h>
+#include <cstdio>
 
 int main()
 {
