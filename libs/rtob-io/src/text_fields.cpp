@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_fields.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -73,30 +74,33 @@ std::size_t TextFields::count(const char* name, std::size_t most)
 std::int64_t parse_ticks_100ns(std::string_view seconds, const char* name)
 {
     constexpr int fraction_digits = 7;
-    constexpr std::int64_t ticks_per_second = 10'000'000;
-    constexpr std::int64_t most_seconds = 100'000'000'000;  // the year 5138
-    const bool negative = !seconds.empty() && seconds.front() == '-';
-    const auto digits = seconds.substr(negative ? 1 : 0);
+    constexpr double ticks_per_second = 1e7;
+    constexpr double most_seconds = 1e11;  // the year 5138
+    const std::string expected = std::string("a time in seconds (") + name + ")";
 
-    std::int64_t whole = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto [point, error] = std::from_chars(digits.data(), end, whole);
-    if (digits.empty() || digits.front() == '-' || error != std::errc() || whole > most_seconds)
-        fail(seconds, std::string("a time in seconds (") + name + ")");
-    std::int64_t ticks = whole * ticks_per_second;
-    if (point != end)
+    const char* const end = seconds.data() + seconds.size();
+    double value = 0;
+    const auto [read_end, error] = std::from_chars(seconds.data(), end, value);
+    const bool is_number = !seconds.empty() && read_end == end && error == std::errc();
+    if (!is_number || !(std::abs(value) < most_seconds)) fail(seconds, expected);
+    if (seconds.find_first_of("eE") != std::string_view::npos)
+        return std::llround(value * ticks_per_second);
+
+    std::int64_t ticks = 0;
+    int fraction_place = -1;  // -1 before the point
+    for (const char c : seconds.substr(seconds.front() == '-' ? 1 : 0))
     {
-        if (*point != '.') fail(seconds, std::string("a time in seconds (") + name + ")");
-        std::int64_t unit = ticks_per_second;
-        int place = 0;
-        for (const char* c = point + 1; c != end; ++c, ++place)
+        if (c == '.')
+            fraction_place = 0;
+        else if (fraction_place < fraction_digits)
         {
-            if (*c < '0' || *c > '9')
-                fail(seconds, std::string("a time in seconds (") + name + ")");
-            if (place < fraction_digits) ticks += (*c - '0') * (unit /= 10);
-            if (place == fraction_digits && *c >= '5') ++ticks;
+            ticks = 10 * ticks + (c - '0');
+            if (fraction_place >= 0) ++fraction_place;
         }
+        else if (fraction_place++ == fraction_digits && c >= '5')
+            ++ticks;
     }
-    return negative ? -ticks : ticks;
+    for (int place = std::max(0, fraction_place); place < fraction_digits; ++place) ticks *= 10;
+    return seconds.front() == '-' ? -ticks : ticks;
 }
 }  // namespace rtob

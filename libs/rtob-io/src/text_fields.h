@@ -32,7 +32,7 @@ class TextFields
     std::string_view rest_;
 };
 
-/// The value of a decimal number in units of 1e-7, rounded: exact where a double is not.
-/// Takes digits with an optional sign and fraction; throws FieldError otherwise.
+/// The value of a number in units of 1e-7, rounded: exact where a double is not (with an exponent
+/// as a double). Throws FieldError for anything else, and beyond the year 5138.
 [[nodiscard]] std::int64_t parse_ticks_100ns(std::string_view seconds, const char* name);
 }  // namespace rtob
