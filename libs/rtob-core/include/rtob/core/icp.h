@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/core/line_field.h>
+#include <rtob/core/neighbour_grid.h>
+#include <rtob/core/points.h>
+#include <rtob/core/pose2.h>
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rtob
+{
+enum class IcpMetric
+{
+    PointToPoint,  ///< the paper's, closed form
+    PointToLine    ///< distance to the local line of the reference
+};
+
+constexpr auto enum_names(IcpMetric)
+{
+    return std::array<std::pair<IcpMetric, std::string_view>, 2>{
+        {{IcpMetric::PointToPoint, "point_to_point"}, {IcpMetric::PointToLine, "point_to_line"}}};
+}
+
+/// How much a pair counts, by its residual e and the kernel's scale c.
+enum class RobustKernel
+{
+    None,    ///< 1
+    Huber,   ///< 1 up to c, then c / |e|
+    Cauchy,  ///< 1 / (1 + (e / c)^2)
+    Tukey    ///< (1 - (e / c)^2)^2 up to c, then 0
+};
+
+constexpr auto enum_names(RobustKernel)
+{
+    return std::array<std::pair<RobustKernel, std::string_view>, 4>{
+        {{RobustKernel::None, "none"},
+         {RobustKernel::Huber, "huber"},
+         {RobustKernel::Cauchy, "cauchy"},
+         {RobustKernel::Tukey, "tukey"}}};
+}
+
+struct IcpOptions
+{
+    int iterations = 50;
+    double max_pair_distance_m = 0.30;
+    double final_pair_distance_m = 0.30;
+    IcpMetric metric = IcpMetric::PointToPoint;
+    RobustKernel kernel = RobustKernel::None;
+    double kernel_scale_m = 0.05;
+    double line_radius_m = 0.15;
+    double stop_step_m = 0;
+
+    template <class Self, class Visit>
+    static void fields(Self& s, Visit&& visit)
+    {
+        visit("iterations", s.iterations, "iterations, always all of them; >= 1 [sec. 2.3.1]");
+        visit(
+            "max_pair_distance_m", s.max_pair_distance_m,
+            "pairs farther apart are dropped; > 0 [sec. 2.3.1: maximum correspondence distance]");
+        visit(
+            "final_pair_distance_m", s.final_pair_distance_m,
+            "the same at the end: it shrinks over the first half of the iterations; > 0, at most "
+            "max_pair_distance_m");
+        visit("metric", s.metric, "what is made small: the paper's point to point, or to the line");
+        visit("kernel", s.kernel, "robust weight of a pair");
+        visit("kernel_scale_m", s.kernel_scale_m, "the kernel's scale; > 0");
+        visit(
+            "line_radius_m", s.line_radius_m,
+            "reference points within this of a point make its line; > 0, at most "
+            "max_pair_distance_m");
+        visit(
+            "stop_step_m", s.stop_step_m,
+            "stop early after a smaller step; 0: never, so that the cost is constant");
+    }
+    void validate() const;
+};
+
+/// What one alignment found. The correction turns about the pre-aligned vehicle position and shifts
+/// along the map's axes, so that eq. 4 is exact: x' = x_init + x_icp, psi' = psi_init + psi_icp.
+struct IcpResult
+{
+    Pose2 correction;
+    int iterations = 0;
+    std::size_t pairs = 0;
+    double paired_share = 0;                                   ///< [0, 1] of the scan's points
+    double mean_squared_error = 0;                             ///< m^2, over the pairs [sec. 2.1.3]
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();     ///< of x, y, yaw, for 1 m of noise
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< x, y, yaw; m^2, rad^2
+};
+
+/// What is known of the correction before the scan is looked at: its mean is zero.
+struct CorrectionPrior
+{
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of x, y, yaw, relative to one pair
+};
+
+/// Eq. 4: the pre-aligned pose with the correction.
+[[nodiscard]] Pose2 apply_correction(const Pose2& pose_map_vehicle_init, const Pose2& correction);
+
+/// The fixed-iteration ICP of sec. 2.1.3 and 2.3.1. Keeps buffers only: allocates nothing once
+/// warm.
+class Icp
+{
+ public:
+    explicit Icp(const IcpOptions& options = {});
+
+    /// @param scan pre-aligned: map axes, seen from the pre-aligned vehicle position.
+    /// @param reference in the same frame.
+    [[nodiscard]] IcpResult align(
+        const PointsView& scan, const PointsView& reference, const CorrectionPrior& prior = {});
+
+ private:
+    struct Pair
+    {
+        std::size_t scan_point;
+        std::int32_t neighbour;
+        float squared_distance;
+    };
+    [[nodiscard]] double pairDistance(int iteration) const;
+    void findPairs(const PointsView& scan, const Pose2& correction, double max_distance_m);
+    [[nodiscard]] Pose2 fitClosedForm(const PointsView& scan, const Pose2& correction) const;
+    [[nodiscard]] Pose2 fitLinearised(const Pose2& correction, const CorrectionPrior& prior);
+    [[nodiscard]] double weight(double squared_residual) const;
+    void describe(const PointsView& scan, IcpResult& result);
+
+    IcpOptions options_;
+    NeighbourGrid grid_;
+    LineField lines_;
+    Points moved_;                    ///< the scan under the current correction
+    std::vector<std::int32_t> last_;  ///< each scan point's neighbour in the last iteration
+    std::vector<Pair> pairs_;
+};
+}  // namespace rtob

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/core/pose2.h>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtob
+{
+/// Consecutive scans [first, end).
+struct ScanRange
+{
+    std::size_t first = 0, end = 0;
+};
+
+/// The scans of a map in order of arrival: when and where each was taken and which points are its
+/// own. The points themselves lie with the map, in the same order, so a scan's points are
+/// [firstPoint(k), firstPoint(k + 1)).
+class ScanTable
+{
+ public:
+    /// @param time_s map time, not before the last scan's. @throws std::invalid_argument
+    void append(double time_s, const Pose2& pose_map_vehicle, std::uint32_t point_count);
+    void clear();
+    void reserve(std::size_t scans, std::size_t points);
+
+    [[nodiscard]] std::size_t size() const { return time_s_.size(); }
+    [[nodiscard]] bool empty() const { return time_s_.empty(); }
+    [[nodiscard]] std::uint64_t pointCount() const { return first_point_.back(); }
+    [[nodiscard]] std::uint64_t firstPoint(std::size_t scan) const { return first_point_[scan]; }
+    [[nodiscard]] double time(std::size_t scan) const { return time_s_[scan]; }
+    [[nodiscard]] double x(std::size_t scan) const { return x_[scan]; }
+    [[nodiscard]] double y(std::size_t scan) const { return y_[scan]; }
+    [[nodiscard]] const double* times() const { return time_s_.data(); }
+    [[nodiscard]] const double* xs() const { return x_.data(); }
+    [[nodiscard]] const double* ys() const { return y_.data(); }
+    [[nodiscard]] Pose2 pose(std::size_t scan) const { return {x_[scan], y_[scan], yaw_[scan]}; }
+
+    /// The scan that the point belongs to; point < pointCount(). A look-up and a few steps: scans
+    /// of fewer points than a page take up to a page of steps.
+    [[nodiscard]] std::size_t scanOf(std::uint64_t point) const
+    {
+        std::size_t scan = scan_of_page_[static_cast<std::size_t>(point >> kPageBits)];
+        while (first_point_[scan + 1] <= point) ++scan;
+        return scan;
+    }
+
+    /// The first scan at or after this time; size() when there is none.
+    [[nodiscard]] std::size_t firstScanSince(double time_s) const;
+
+    /// The first scan of `from`..0 that is not older than time_s, searched backwards in growing
+    /// steps: the cost follows the distance, not the map.
+    [[nodiscard]] std::size_t backTo(double time_s, std::size_t from) const;
+    /// One past the last scan of `from`..size() that is not newer than time_s, searched forwards.
+    [[nodiscard]] std::size_t forwardTo(double time_s, std::size_t from) const;
+
+    /// The largest number of scans ever taken in one second: an upper bound of any local rate.
+    [[nodiscard]] std::size_t densestSecond() const { return densest_second_; }
+
+    /// Bytes in use (not reserved).
+    [[nodiscard]] std::size_t bytes() const;
+
+ private:
+    static constexpr unsigned kPageBits = 6;  // 64 points a page: 1/16 byte a point
+
+    std::vector<double> time_s_, x_, y_, yaw_;
+    std::vector<std::uint64_t> first_point_{0};  ///< one more than scans: the last is the total
+    std::vector<std::uint32_t> scan_of_page_;    ///< the scan that holds the page's first point
+    std::size_t densest_second_ = 0;
+    std::size_t second_begin_ = 0;
+};
+}  // namespace rtob

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/core/scan_table.h>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace rtob
+{
+void ScanTable::append(double time_s, const Pose2& pose_map_vehicle, std::uint32_t point_count)
+{
+    if (!empty() && time_s < time_s_.back())
+        throw std::invalid_argument(
+            "ScanTable::append: time " + std::to_string(time_s) + " s is before the last scan's " +
+            std::to_string(time_s_.back()) + " s; keep the order of arrival (MapClock)");
+    const auto scan = static_cast<std::uint32_t>(size());
+    time_s_.push_back(time_s);
+    x_.push_back(pose_map_vehicle.x);
+    y_.push_back(pose_map_vehicle.y);
+    yaw_.push_back(pose_map_vehicle.yaw);
+    const std::uint64_t end = first_point_.back() + point_count;
+    while ((static_cast<std::uint64_t>(scan_of_page_.size()) << kPageBits) < end)
+        scan_of_page_.push_back(scan);
+    first_point_.push_back(end);
+
+    while (time_s_[second_begin_] < time_s - 1.0) ++second_begin_;
+    densest_second_ = std::max(densest_second_, size() - second_begin_);
+}
+
+void ScanTable::clear()
+{
+    *this = ScanTable();
+}
+
+void ScanTable::reserve(std::size_t scans, std::size_t points)
+{
+    for (auto* v : {&time_s_, &x_, &y_, &yaw_}) v->reserve(scans);
+    first_point_.reserve(scans + 1);
+    scan_of_page_.reserve((points >> kPageBits) + 1);
+}
+
+std::size_t ScanTable::firstScanSince(double time_s) const
+{
+    return static_cast<std::size_t>(
+        std::lower_bound(time_s_.begin(), time_s_.end(), time_s) - time_s_.begin());
+}
+
+std::size_t ScanTable::backTo(double time_s, std::size_t from) const
+{
+    std::size_t step = 1, high = from;
+    std::size_t low = from;
+    while (low > 0 && time_s_[low - 1] >= time_s)
+    {
+        high = low;
+        low = low > step ? low - step : 0;
+        step *= 2;
+    }
+    const auto begin = time_s_.begin();
+    return static_cast<std::size_t>(
+        std::lower_bound(
+            begin + static_cast<std::ptrdiff_t>(low), begin + static_cast<std::ptrdiff_t>(high),
+            time_s) -
+        begin);
+}
+
+std::size_t ScanTable::forwardTo(double time_s, std::size_t from) const
+{
+    std::size_t step = 1, low = from;
+    std::size_t high = from;
+    while (high < size() && time_s_[high] <= time_s)
+    {
+        low = high;
+        high = std::min(size(), high + step);
+        step *= 2;
+    }
+    const auto begin = time_s_.begin();
+    return static_cast<std::size_t>(
+        std::upper_bound(
+            begin + static_cast<std::ptrdiff_t>(low), begin + static_cast<std::ptrdiff_t>(high),
+            time_s) -
+        begin);
+}
+
+std::size_t ScanTable::bytes() const
+{
+    return size() * 4 * sizeof(double) + first_point_.size() * sizeof(std::uint64_t) +
+           scan_of_page_.size() * sizeof(std::uint32_t);
+}
+}  // namespace rtob
