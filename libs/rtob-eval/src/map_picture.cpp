@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/eval/map_picture.h>
+#include <rtob/io/atomic_file.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
@@ -82,17 +81,9 @@ void write_map_picture(const std::string& file, const MapPictureInput& input)
     std::vector<uchar> png;
     if (!cv::imencode(".png", draw_map(input), png))
         throw std::runtime_error("the picture " + file + " cannot be encoded");
-    const std::string unfinished = file + ".part";
-    std::ofstream out(unfinished, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    out.close();
-    if (!out)
-    {
-        std::error_code ignored;  // the first error is the one to tell
-        std::filesystem::remove(unfinished, ignored);
-        throw std::runtime_error(
-            "the picture " + unfinished + " cannot be written: is its folder there, with room?");
-    }
-    std::filesystem::rename(unfinished, file);
+    AtomicFile out(file);
+    out.stream().write(
+        reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    out.commit();
 }
 }  // namespace rtob
