@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -13,8 +14,10 @@ namespace rtob::test
 inline std::string temporary_path(const std::string& ending)
 {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    return testing::TempDir() + std::to_string(getpid()) + "_" + test->test_suite_name() + "_" +
-           test->name() + ending;
+    std::string name = std::string(test->test_suite_name()) + "_" + test->name() + ending;
+    // Tests with parameters have names with slashes.
+    std::replace(name.begin(), name.end(), '/', '_');
+    return testing::TempDir() + std::to_string(getpid()) + "_" + name;
 }
 
 /// A file of the running test, removed with this object. One ending, one file.

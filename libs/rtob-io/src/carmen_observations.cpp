@@ -43,7 +43,8 @@ mrpt::obs::CObservation2DRangeScan::Ptr to_observation(
     std::vector<char> valid(beams);
     for (std::size_t i = 0; i < beams; ++i)
         valid[i] = scan.ranges_m[i] > 0 && scan.ranges_m[i] < observation->maxRange;
-    observation->loadFromVectors(beams, scan.ranges_m.data(), valid.data());
+    // MRPT asserts on the null pointer of an empty vector.
+    if (beams > 0) observation->loadFromVectors(beams, scan.ranges_m.data(), valid.data());
     return observation;
 }
 

@@ -63,6 +63,8 @@ std::optional<LogEntry> CarmenReader::read_line(std::string_view line)
         throw FieldError(
             "'" + std::string(name.substr(0, 40)) +
             "' stands where the name of a CARMEN message (FLASER, ODOM, ...) was expected");
+    // Every message carries something, at least its stamp: a bare name is a cut line.
+    static_cast<void>(fields.word("a message's content"));
     return std::nullopt;
 }
 
