@@ -30,10 +30,8 @@ double length_m(const std::vector<Pose2>& path)
 {
     double length = 0;
     for (std::size_t i = 1; i < path.size(); ++i)
-    {
-        const double step = std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-        if (std::isfinite(step)) length += step;
-    }
+        if (is_drawable(path[i - 1]) && is_drawable(path[i]))
+            length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
     return length;
 }
 

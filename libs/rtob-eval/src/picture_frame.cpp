@@ -65,14 +65,14 @@ Box visible_box(const PointsView& points_map, const std::vector<Pose2>& path)
     ys.reserve(points_map.size);
     for (std::size_t i = 0; i < points_map.size; ++i)
     {
-        if (!std::isfinite(points_map.x[i]) || !std::isfinite(points_map.y[i])) continue;
+        if (!is_drawable(points_map.x[i], points_map.y[i])) continue;
         xs.push_back(points_map.x[i]);
         ys.push_back(points_map.y[i]);
     }
     Interval x = without_strays(xs), y = without_strays(ys);
     for (const auto& pose : path)
     {
-        if (!std::isfinite(pose.x) || !std::isfinite(pose.y)) continue;
+        if (!is_drawable(pose)) continue;
         x.include(pose.x);
         y.include(pose.y);
     }

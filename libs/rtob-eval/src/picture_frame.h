@@ -3,6 +3,7 @@
 #include <rtob/core/points.h>
 #include <rtob/eval/map_picture.h>
 
+#include <cmath>
 #include <opencv2/core/types.hpp>
 
 namespace rtob
@@ -22,6 +23,18 @@ struct PictureFrame
             map_px.x + (x - box_map.min_x) * px_per_m, map_px.y + (box_map.max_y - y) * px_per_m};
     }
 };
+
+/// Not NaN, and nearer than a quarter of the Earth: beyond that a trajectory has gone astray, and
+/// pixels overflow.
+[[nodiscard]] inline bool is_drawable(double x, double y)
+{
+    constexpr double far_m = 1e7;
+    return std::abs(x) < far_m && std::abs(y) < far_m;
+}
+[[nodiscard]] inline bool is_drawable(const Pose2& pose)
+{
+    return is_drawable(pose.x, pose.y) && std::isfinite(pose.yaw);
+}
 
 /// What a picture of these points and this path has to show: the whole path, and the points without
 /// the few that lie far off. At least 1 m wide and high.

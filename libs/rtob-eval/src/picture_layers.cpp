@@ -99,11 +99,6 @@ double bar_length_m(const PictureFrame& frame)
     return round_length_m(220 / frame.px_per_m);
 }
 
-bool is_finite(const Pose2& pose)
-{
-    return std::isfinite(pose.x) && std::isfinite(pose.y);
-}
-
 void arrowhead(Canvas& canvas, cv::Point2d at, double yaw, double size_px, const cv::Scalar& bgr)
 {
     const cv::Point2d ahead(std::cos(yaw), -std::sin(yaw)), aside(ahead.y, -ahead.x);
@@ -159,7 +154,7 @@ void draw_path(Canvas& canvas, const std::vector<Pose2>& path)
     cv::Point2d last;
     for (std::size_t i = 0; i < path.size(); ++i)
     {
-        if (!is_finite(path[i])) continue;
+        if (!is_drawable(path[i])) continue;
         const auto pixel = canvas.frame.pixel(path[i].x, path[i].y);
         if (has_last && cv::norm(pixel - last) < least_step_px && i + 1 < path.size()) continue;
         const double share = static_cast<double>(i) / static_cast<double>(path.size());
@@ -171,9 +166,10 @@ void draw_path(Canvas& canvas, const std::vector<Pose2>& path)
 
 void draw_start_and_end(Canvas& canvas, const std::vector<Pose2>& path)
 {
-    const auto first = std::find_if(path.begin(), path.end(), is_finite);
+    const auto drawable = [](const Pose2& pose) { return is_drawable(pose); };
+    const auto first = std::find_if(path.begin(), path.end(), drawable);
     if (first == path.end()) return;
-    const auto last = std::find_if(path.rbegin(), path.rend(), is_finite);
+    const auto last = std::find_if(path.rbegin(), path.rend(), drawable);
     start_mark(canvas, canvas.frame.pixel(first->x, first->y));
     end_mark(canvas, canvas.frame.pixel(last->x, last->y), last->yaw);
 }

@@ -129,9 +129,23 @@ TEST(DrawMap, MarksStartGreenAndEndRedWithYUpwards)
 
 TEST(DrawMap, ShowsAPathThatLeavesTheMap)
 {
-    const cv::Mat picture = drawn(room(), {{5, 2, 0}, {5, 40, 0}, {nan_f, 0, 0}, {5, 45, 1.57}});
+    const cv::Mat picture = drawn(room(), {{5, 2, 0}, {5, 40, 0}, {5, 45, 1.57}});
     EXPECT_FALSE(found(picture, is_green).empty());
     EXPECT_FALSE(found(picture, is_red).empty());
+}
+
+TEST(DrawMap, LeavesOutPosesThatAreNotFiniteOrAbsurdlyFar)
+{
+    const double nan = nan_f;
+    const std::vector<Pose2> good{{1, 1, 0}, {5, 2, 0}, {9, 4, 0}};
+    const cv::Mat expected = drawn(room(), good);
+    for (const Pose2& bad :
+         {Pose2{nan, 1, 0}, {1, nan, 0}, {1, 1, nan}, {1e300, 1, 0}, {1, -1e9, 0}})
+    {
+        const cv::Mat picture = drawn(room(), {good[0], good[1], good[2], bad});
+        ASSERT_EQ(picture.size(), expected.size());
+        EXPECT_EQ(centre(found(picture, is_red)), centre(found(expected, is_red)));
+    }
 }
 
 TEST(DrawMap, DrawsDenseWallsDarkerThanLoneReturns)
