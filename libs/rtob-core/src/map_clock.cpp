@@ -8,20 +8,20 @@ double MapClock::advance(double stamp_s)
 {
     if (!std::isfinite(stamp_s))
     {
-        ++anomalies_.invalid;
-        return now_s_;
+        ++state_.anomalies.invalid;
+        return state_.now_s;
     }
-    double step_s = started_ ? stamp_s - last_stamp_s_ : 0.0;
-    if (started_ && step_s < 0) ++anomalies_.steps_back;
-    if (started_ && step_s == 0) ++anomalies_.repeats;
+    double step_s = state_.started ? stamp_s - state_.last_stamp_s : 0.0;
+    if (state_.started && step_s < 0) ++state_.anomalies.steps_back;
+    if (state_.started && step_s == 0) ++state_.anomalies.repeats;
     if (step_s < 0) step_s = 0;
     if (step_s > max_step_s_)
     {
-        ++anomalies_.jumps;
+        ++state_.anomalies.jumps;
         step_s = max_step_s_;
     }
-    started_ = true;
-    last_stamp_s_ = stamp_s;
-    return now_s_ += step_s;
+    state_.started = true;
+    state_.last_stamp_s = stamp_s;
+    return state_.now_s += step_s;
 }
 }  // namespace rtob

@@ -43,11 +43,13 @@ void NeighbourGrid::build(const PointsView& points, double max_radius_m)
     for (auto& begin : cell_begin_) begin = (end += begin);
     sorted_.x.resize(points.size);
     sorted_.y.resize(points.size);
+    original_.resize(points.size);
     for (std::size_t i = points.size; i-- > 0;)
     {
         const std::uint32_t place = --cell_begin_[cell_of_point_[i]];
         sorted_.x[place] = points.x[i];
         sorted_.y[place] = points.y[i];
+        original_[place] = static_cast<std::uint32_t>(i);
     }
 }
 }  // namespace rtob

@@ -15,19 +15,27 @@ class MapClock
         std::uint64_t steps_back = 0, repeats = 0, jumps = 0, invalid = 0;
     };
 
+    /// Where the clock stands: what a stored map needs, so that its time goes on as before.
+    struct State
+    {
+        double now_s = 0, last_stamp_s = 0;
+        bool started = false;
+        Anomalies anomalies;
+    };
+
     explicit MapClock(double max_step_s = 10.0) : max_step_s_(max_step_s) {}
+
+    [[nodiscard]] const State& state() const { return state_; }
+    void restore(const State& state) { state_ = state; }
 
     /// Map time of the scan with this stamp [s]; a stamp that is no number stands still.
     double advance(double stamp_s);
 
-    [[nodiscard]] double now() const { return now_s_; }
-    [[nodiscard]] const Anomalies& anomalies() const { return anomalies_; }
+    [[nodiscard]] double now() const { return state_.now_s; }
+    [[nodiscard]] const Anomalies& anomalies() const { return state_.anomalies; }
 
  private:
     double max_step_s_;
-    double now_s_ = 0;
-    double last_stamp_s_ = 0;
-    bool started_ = false;
-    Anomalies anomalies_;
+    State state_;
 };
 }  // namespace rtob

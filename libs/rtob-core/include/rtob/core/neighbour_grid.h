@@ -36,6 +36,12 @@ class NeighbourGrid
     /// The points as sorted; Neighbour::index counts these.
     [[nodiscard]] const Points& points() const { return sorted_; }
 
+    /// Where the sorted point stood among those given to build().
+    [[nodiscard]] std::size_t original(std::int32_t index) const
+    {
+        return original_[static_cast<std::size_t>(index)];
+    }
+
  private:
     [[nodiscard]] std::int32_t cellOf(float v) const;
 
@@ -47,6 +53,7 @@ class NeighbourGrid
     std::int32_t side_ = 1;                  ///< cells in a row of the table, a power of two
     std::vector<std::uint32_t> cell_begin_;  ///< first sorted point of each cell, row by row
     std::vector<std::uint32_t> cell_of_point_;
+    std::vector<std::uint32_t> original_;
     Points sorted_;
 };
 
