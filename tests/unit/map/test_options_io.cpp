@@ -240,6 +240,7 @@ TEST(SaveOptions, WritesTheDocAboveEachKey)
         text.str(),
         testing::StartsWith(
             "[Probe]\n# drop farther pairs; > 0\nmax_distance_m = 0.5\n# a|b\ngain = 0.1\n"));
+    EXPECT_THAT(text.str(), HasSubstr("# of the line; one of: red, dark_blue\ncolour = red\n"));
 }
 
 TEST(SaveOptions, RefusesATextThatWouldNotComeBack)

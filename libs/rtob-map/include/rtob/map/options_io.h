@@ -77,6 +77,16 @@ void load_options(
     options = loaded;
 }
 
+/// What a field accepts beyond what its doc says: the names of an enum.
+template <class Field>
+[[nodiscard]] std::string allowed_names()
+{
+    if constexpr (std::is_enum_v<Field>)
+        return "; one of: " + joined(all_names<Field>());
+    else
+        return {};
+}
+
 /// Writes the section with every key, its doc as a comment above it. Read back, each value has the
 /// same bits.
 template <class T>
@@ -87,16 +97,6 @@ void save_options(std::ostream& out, const std::string& section, const T& option
         options, [&](const char* key, const auto& value, const char* doc)
         { out << "# " << doc << "\n"
               << key << " = " << option_text(value) << "\n"; });
-}
-
-/// What a field accepts beyond what its doc says: the names of an enum.
-template <class Field>
-[[nodiscard]] std::string allowed_names()
-{
-    if constexpr (std::is_enum_v<Field>)
-        return "; one of: " + joined(all_names<Field>());
-    else
-        return {};
 }
 
 /// A bar would end the cell of a Markdown table.
