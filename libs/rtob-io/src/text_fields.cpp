@@ -9,7 +9,10 @@ namespace rtob
 {
 namespace
 {
-constexpr std::string_view blanks = " \t";
+bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
 
 [[noreturn]] void fail(std::string_view word, const std::string& expected)
 {
@@ -23,17 +26,13 @@ constexpr std::string_view blanks = " \t";
 
 std::string_view TextFields::next_word()
 {
-    const auto begin = rest_.find_first_not_of(blanks);
-    if (begin == std::string_view::npos)
-    {
-        rest_ = {};
-        return {};
-    }
-    auto end = rest_.find_first_of(blanks, begin);
-    if (end == std::string_view::npos) end = rest_.size();
-    const auto word = rest_.substr(begin, end - begin);
-    rest_.remove_prefix(end);
-    return word;
+    const char* begin = rest_.data();
+    const char* const line_end = begin + rest_.size();
+    while (begin != line_end && is_blank(*begin)) ++begin;
+    const char* end = begin;
+    while (end != line_end && !is_blank(*end)) ++end;
+    rest_ = {end, static_cast<std::size_t>(line_end - end)};
+    return {begin, static_cast<std::size_t>(end - begin)};
 }
 
 std::string_view TextFields::word(const char* name)
