@@ -18,13 +18,29 @@ float above(double v)
     return std::nextafterf(static_cast<float>(v), INFINITY);
 }
 
-void add_range(std::vector<ScanRange>& ranges, const ScanRange& range)
+template <class Bounds>
+bool apart(const Bounds& b, const Box& box)
 {
-    if (!ranges.empty() && ranges.back().end == range.first)
-        ranges.back().end = range.end;
-    else
-        ranges.push_back(range);
+    return b.min_x > box.max_x || b.max_x < box.min_x || b.min_y > box.max_y || b.max_y < box.min_y;
 }
+
+template <class Bounds>
+bool within(const Bounds& b, const Box& box)
+{
+    return b.min_x >= box.min_x && b.max_x <= box.max_x && b.min_y >= box.min_y &&
+           b.max_y <= box.max_y;
+}
+
+template <class Bounds>
+Bounds joined(const Bounds& a, const Bounds& b)
+{
+    return {
+        std::min(a.min_x, b.min_x), std::min(a.min_y, b.min_y), std::max(a.max_x, b.max_x),
+        std::max(a.max_y, b.max_y)};
+}
+
+// An entering and a leaving node a visit, and twice that for visits that a coarse level mistakes.
+constexpr std::size_t kPartsPerRange = 4;
 }  // namespace
 
 void VisitIndex::append(double x, double y)
@@ -33,37 +49,32 @@ void VisitIndex::append(double x, double y)
     std::size_t index = size_ / kLeafScans;
     for (std::size_t level = 0;; ++level)
     {
-        if (level == levels_.size())
-        {
-            levels_.emplace_back();
-            // A new top: it covers all that the level below holds so far.
-            if (level > 0)
-                for (const Bounds& b : levels_[level - 1])
-                {
-                    if (levels_[level].empty()) levels_[level].push_back(b);
-                    Bounds& top = levels_[level].front();
-                    top = {
-                        std::min(top.min_x, b.min_x), std::min(top.min_y, b.min_y),
-                        std::max(top.max_x, b.max_x), std::max(top.max_y, b.max_y)};
-                }
-        }
+        if (level == levels_.size()) growTop();
         auto& nodes = levels_[level];
         if (index == nodes.size()) nodes.push_back(here);
-        Bounds& node = nodes[index];
-        node = {
-            std::min(node.min_x, here.min_x), std::min(node.min_y, here.min_y),
-            std::max(node.max_x, here.max_x), std::max(node.max_y, here.max_y)};
+        nodes[index] = joined(nodes[index], here);
         if (nodes.size() == 1) break;
         index /= kFanOut;
     }
     ++size_;
 }
 
-ScanRange VisitIndex::scansOf(Node node) const
+/// Adds a level of one node, over all that the level below holds so far.
+void VisitIndex::growTop()
+{
+    levels_.emplace_back();
+    if (levels_.size() == 1) return;
+    const auto& below_top = levels_[levels_.size() - 2];
+    Bounds top = below_top.front();
+    for (const Bounds& b : below_top) top = joined(top, b);
+    levels_.back().push_back(top);
+}
+
+std::size_t VisitIndex::scansPerNode(std::size_t level) const
 {
     std::size_t scans = kLeafScans;
-    for (std::size_t l = 0; l < node.level; ++l) scans *= kFanOut;
-    return {node.index * scans, std::min(size_, (node.index + 1) * scans)};
+    for (std::size_t l = 0; l < level; ++l) scans *= kFanOut;
+    return scans;
 }
 
 void VisitIndex::query(
@@ -71,34 +82,68 @@ void VisitIndex::query(
     std::vector<ScanRange>& ranges) const
 {
     ranges.clear();
-    if (levels_.empty()) return;
-    std::size_t budget = 4 * max_ranges;  // nodes to open: about two a range and its neighbours
-    descend({levels_.size() - 1, 0}, box, table, budget, ranges);
+    if (levels_.empty() || apart(levels_.back().front(), box)) return;
+    for (auto* parts : {&parts_, &finer_})
+    {
+        parts->clear();
+        parts->reserve(kPartsPerRange * max_ranges + kLeafScans);
+    }
+    parts_.push_back({{0, size_}, within(levels_.back().front(), box)});
+    for (std::size_t level = levels_.size(); level-- > 0;)
+        if (!refine(level, box, table, max_ranges)) break;
+    for (const Part& part : parts_)
+        if (!ranges.empty() && ranges.back().end == part.scans.first)
+            ranges.back().end = part.scans.end;
+        else
+            ranges.push_back(part.scans);
 }
 
-void VisitIndex::descend(
-    Node node, const Box& box, const ScanTable& table, std::size_t& budget,
-    std::vector<ScanRange>& ranges) const
+/// Replaces the level's nodes among the parts by what of them may be in the box; false, and
+/// nothing is changed, if that makes too many.
+bool VisitIndex::refine(
+    std::size_t level, const Box& box, const ScanTable& table, std::size_t max_ranges) const
 {
-    const Bounds& b = levels_[node.level][node.index];
-    if (b.min_x > box.max_x || b.max_x < box.min_x || b.min_y > box.max_y || b.max_y < box.min_y)
+    finer_.clear();
+    std::size_t ranges = 0;
+    const auto add = [&](const Part& part)
+    {
+        const bool adjacent = !finer_.empty() && finer_.back().scans.end == part.scans.first;
+        if (adjacent && part.inside && finer_.back().inside)
+            finer_.back().scans.end = part.scans.end;
+        else
+            finer_.push_back(part);
+        if (!adjacent) ++ranges;
+    };
+    for (const Part& part : parts_)
+    {
+        if (part.inside)
+            add(part);
+        else
+            openNode(part.scans, level, box, table, add);
+        if (ranges > max_ranges || finer_.size() > kPartsPerRange * max_ranges) return false;
+    }
+    parts_.swap(finer_);
+    return true;
+}
+
+template <class Add>
+void VisitIndex::openNode(
+    const ScanRange& node, std::size_t level, const Box& box, const ScanTable& table,
+    const Add& add) const
+{
+    if (level == 0)
+    {
+        for (std::size_t scan = node.first; scan < node.end; ++scan)
+            if (box.contains(table.x(scan), table.y(scan))) add(Part{{scan, scan + 1}, true});
         return;
-    const bool inside = b.min_x >= box.min_x && b.max_x <= box.max_x && b.min_y >= box.min_y &&
-                        b.max_y <= box.max_y;
-    if (inside || budget == 0) return add_range(ranges, scansOf(node));
-    --budget;
-    if (node.level == 0) return scanLeaf(scansOf(node), box, table, ranges);
-    const std::size_t end = std::min(levels_[node.level - 1].size(), (node.index + 1) * kFanOut);
-    for (std::size_t child = node.index * kFanOut; child < end; ++child)
-        descend({node.level - 1, child}, box, table, budget, ranges);
-}
-
-void VisitIndex::scanLeaf(
-    const ScanRange& leaf, const Box& box, const ScanTable& table,
-    std::vector<ScanRange>& ranges) const
-{
-    for (std::size_t scan = leaf.first; scan < leaf.end; ++scan)
-        if (box.contains(table.x(scan), table.y(scan))) add_range(ranges, {scan, scan + 1});
+    }
+    const std::size_t scans = scansPerNode(level - 1);
+    for (std::size_t first = node.first; first < node.end; first += scans)
+    {
+        const Bounds& child = levels_[level - 1][first / scans];
+        if (!apart(child, box))
+            add(Part{{first, std::min(first + scans, node.end)}, within(child, box)});
+    }
 }
 
 std::size_t VisitIndex::bytes() const

@@ -12,16 +12,18 @@ namespace rtob
 ///
 /// A tree over time, not over space: each node holds the bounds of the vehicle's positions over
 /// 16 * 8^level consecutive scans. A place where the vehicle has been for hours is one node, so the
-/// cost follows the number of visits, and that is bounded by `max_ranges`.
+/// cost follows the number of visits, and that is bounded by `max_ranges`. The tree is searched
+/// level by level, and no further once a level needs too many nodes.
 class VisitIndex
 {
  public:
     void append(double x, double y);
     void clear() { levels_.clear(), size_ = 0; }
 
-    /// Ranges in order of time that hold every scan taken in `box`, no two adjacent. Exact while
-    /// the tree needs fewer than max_ranges ranges on a level; past that, ranges that are partly
-    /// outside stay whole, so whoever uses them checks the positions.
+    /// Ranges in order of time that hold every scan taken in `box`, no two adjacent, at most
+    /// max_ranges. Exact as long as they are fewer and the tree's levels need no more than a few
+    /// nodes a range; past that they also hold scans around the visits, evenly over time, so
+    /// whoever uses them checks the positions. Not for two threads at once.
     /// @param table the positions, as appended here.
     void query(
         const Box& box, const ScanTable& table, std::size_t max_ranges,
@@ -36,19 +38,23 @@ class VisitIndex
         float min_x, min_y, max_x, max_y;
     };
 
-    struct Node
+    /// Scans that may be in the box: all of them are (inside), or those of one node perhaps.
+    struct Part
     {
-        std::size_t level, index;
+        ScanRange scans;
+        bool inside;
     };
-    void descend(
-        Node node, const Box& box, const ScanTable& table, std::size_t& budget,
-        std::vector<ScanRange>& ranges) const;
-    void scanLeaf(
-        const ScanRange& leaf, const Box& box, const ScanTable& table,
-        std::vector<ScanRange>& ranges) const;
-    [[nodiscard]] ScanRange scansOf(Node node) const;
+    [[nodiscard]] std::size_t scansPerNode(std::size_t level) const;
+    void growTop();
+    bool refine(
+        std::size_t level, const Box& box, const ScanTable& table, std::size_t max_ranges) const;
+    template <class Add>
+    void openNode(
+        const ScanRange& node, std::size_t level, const Box& box, const ScanTable& table,
+        const Add& add) const;
 
     std::vector<std::vector<Bounds>> levels_;
     std::size_t size_ = 0;
+    mutable std::vector<Part> parts_, finer_;  ///< buffers of query()
 };
 }  // namespace rtob
