@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/core/scan_table.h>
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -8,10 +9,11 @@ namespace rtob
 {
 void ScanTable::append(double time_s, const Pose2& pose_map_vehicle, std::uint32_t point_count)
 {
-    if (!empty() && time_s < time_s_.back())
+    const double oldest_s = empty() ? -std::numeric_limits<double>::max() : time_s_.back();
+    if (!(time_s >= oldest_s))  // also when it is no number
         throw std::invalid_argument(
-            "ScanTable::append: time " + std::to_string(time_s) + " s is before the last scan's " +
-            std::to_string(time_s_.back()) + " s; keep the order of arrival (MapClock)");
+            "ScanTable::append: time " + std::to_string(time_s) + " s is not at or after " +
+            std::to_string(oldest_s) + " s, the last scan's; take map time from MapClock");
     const auto scan = static_cast<std::uint32_t>(size());
     time_s_.push_back(time_s);
     x_.push_back(pose_map_vehicle.x);

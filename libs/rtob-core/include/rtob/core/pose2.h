@@ -8,8 +8,8 @@ namespace rtob
 [[nodiscard]] inline double wrap_angle(double angle_rad)
 {
     constexpr double pi = 3.14159265358979323846;
-    const double turns = std::floor((angle_rad + pi) / (2 * pi));
-    return angle_rad - 2 * pi * turns;
+    const double angle = std::remainder(angle_rad, 2 * pi);  // exact; in [-pi, pi]
+    return angle < pi ? angle : -pi;
 }
 
 /// A pose in the plane, or the rigid motion that takes points of the inner frame to the outer one:

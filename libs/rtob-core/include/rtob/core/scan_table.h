@@ -19,7 +19,7 @@ struct ScanRange
 class ScanTable
 {
  public:
-    /// @param time_s map time, not before the last scan's. @throws std::invalid_argument
+    /// @param time_s map time, not before the last scan's. @throws std::invalid_argument if it is.
     void append(double time_s, const Pose2& pose_map_vehicle, std::uint32_t point_count);
     void clear();
     void reserve(std::size_t scans, std::size_t points);
@@ -54,7 +54,7 @@ class ScanTable
     /// One past the last scan of `from`..size() that is not newer than time_s, searched forwards.
     [[nodiscard]] std::size_t forwardTo(double time_s, std::size_t from) const;
 
-    /// The largest number of scans ever taken in one second: an upper bound of any local rate.
+    /// The most scans ever taken within one second, both ends included: bounds every local rate.
     [[nodiscard]] std::size_t densestSecond() const { return densest_second_; }
 
     /// Bytes in use (not reserved).
@@ -67,6 +67,6 @@ class ScanTable
     std::vector<std::uint64_t> first_point_{0};  ///< one more than scans: the last is the total
     std::vector<std::uint32_t> scan_of_page_;    ///< the scan that holds the page's first point
     std::size_t densest_second_ = 0;
-    std::size_t second_begin_ = 0;
+    std::size_t second_begin_ = 0;  ///< first scan of the newest second
 };
 }  // namespace rtob
