@@ -94,9 +94,13 @@ void save_options(std::ostream& out, const std::string& section, const T& option
 {
     out << "[" << section << "]\n";
     T::fields(
-        options, [&](const char* key, const auto& value, const char* doc)
-        { out << "# " << doc << "\n"
-              << key << " = " << option_text(value) << "\n"; });
+        options,
+        [&](const char* key, const auto& value, const char* doc)
+        {
+            using Field = std::decay_t<decltype(value)>;
+            out << "# " << doc << allowed_names<Field>() << "\n"
+                << key << " = " << option_text(value) << "\n";
+        });
 }
 
 /// A bar would end the cell of a Markdown table.
