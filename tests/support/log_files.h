@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "temporary_file.h"
+
 namespace rtob::test
 {
 template <class Compressor>
@@ -79,5 +81,23 @@ inline ReadLog read_log(const std::string& file)
         log.error = error.what();
     }
     return log;
+}
+
+inline ReadLog read_text_log(const std::string& text)
+{
+    const TemporaryFile file(".log", text);
+    return read_log(file.path());
+}
+
+inline double beam_angle_vehicle(const mrpt::obs::CObservation2DRangeScan& scan, std::size_t beam)
+{
+    return scan.sensorPose.yaw() + scan.getScanAngle(beam);
+}
+
+/// The stamp in units of 100 ns since 1970.
+inline std::int64_t unix_100ns(const mrpt::obs::CObservation& observation)
+{
+    constexpr std::int64_t since_1601 = 116'444'736'000'000'000;
+    return observation.timestamp.time_since_epoch().count() - since_1601;
 }
 }  // namespace rtob::test

@@ -6,7 +6,6 @@
 
 #include "carmen_text.h"
 #include "log_files.h"
-#include "temporary_file.h"
 
 namespace rtob::test
 {
@@ -15,23 +14,6 @@ namespace
 using testing::HasSubstr;
 
 constexpr double degree = 3.14159265358979323846 / 180;
-
-ReadLog read_text(const std::string& text)
-{
-    const TemporaryFile file(".log", text);
-    return read_log(file.path());
-}
-
-double beam_angle_vehicle(const mrpt::obs::CObservation2DRangeScan& scan, std::size_t beam)
-{
-    return scan.sensorPose.yaw() + scan.getScanAngle(beam);
-}
-
-std::int64_t unix_100ns(const mrpt::obs::CObservation& observation)
-{
-    constexpr std::int64_t since_1601 = 116'444'736'000'000'000;
-    return observation.timestamp.time_since_epoch().count() - since_1601;
-}
 
 struct Field
 {
@@ -44,7 +26,7 @@ class CarmenBeamAngles : public testing::TestWithParam<Field>
 
 TEST_P(CarmenBeamAngles, AreRightForEveryBeam)
 {
-    const auto log = read_text(flaser_of(GetParam().beams));
+    const auto log = read_text_log(flaser_of(GetParam().beams));
     ASSERT_EQ(log.error, "");
     ASSERT_EQ(log.scans().size(), 1U);
     const auto& scan = *log.scans()[0];
@@ -65,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CarmenLog, GivesOdometryThenScanOfEachLaserLine)
 {
-    const auto log = read_text(flaser("2 1.5 2.5", "3 4 0.5", "1 2 0.25", "976052857.337530"));
+    const auto log = read_text_log(flaser("2 1.5 2.5", "3 4 0.5", "1 2 0.25", "976052857.337530"));
     ASSERT_EQ(log.error, "");
     ASSERT_EQ(log.entries.size(), 2U);
     const auto& odometry = *log.odometry().at(0);
@@ -86,7 +68,7 @@ TEST(CarmenLog, KeepsStampsToTheLastDigitThatMrptHolds)
 {
     const auto stamp_of = [](const std::string& stamp)
     {
-        const auto log = read_text(flaser("1 1", "1 0 0", "1 0 0", stamp));
+        const auto log = read_text_log(flaser("1 1", "1 0 0", "1 0 0", stamp));
         return log.error.empty() ? unix_100ns(*log.scans().at(0)) : -1;
     };
     EXPECT_EQ(stamp_of("1031745838.717000"), 10'317'458'387'170'000);
@@ -102,7 +84,7 @@ TEST(CarmenLog, KeepsStampsToTheLastDigitThatMrptHolds)
 
 TEST(CarmenLog, TakesTheMountFromTheParameterFirst)
 {
-    const auto log = read_text(
+    const auto log = read_text_log(
         "PARAM robot_frontlaser_offset -0.04 1.0 host 1.0\n" +
         flaser("1 1", "1.2 0 0", "1 0 0", "1.0"));
     EXPECT_NEAR(log.scans().at(0)->sensorPose.x(), -0.04, 1e-12);
@@ -114,7 +96,7 @@ TEST(CarmenLog, TakesTheMountFromTheLaserPoseWhereNoParameterTells)
     const std::string text =
         flaser("1 1", "1 2.3 1.5707963267948966", "1 2 1.5707963267948966", "1") +
         flaser("1 1", "5 4.3 1.5707963267948966", "5 4 1.5707963267948966", "2");
-    const auto log = read_text(text);
+    const auto log = read_text_log(text);
     ASSERT_EQ(log.scans().size(), 2U);
     for (const auto& scan : log.scans())
     {
@@ -127,15 +109,15 @@ TEST(CarmenLog, TakesTheMountFromTheLaserPoseWhereNoParameterTells)
 TEST(CarmenLog, DoesNotTakeACorrectedPoseForAMount)
 {
     // The "laser" pose leaves the odometry as the vehicle drives: it is a corrected pose in map.
-    const auto log =
-        read_text(flaser("1 1", "0.1 0 0", "0 0 0", "1") + flaser("1 1", "2.3 0 0", "2 0 0", "2"));
+    const auto log = read_text_log(
+        flaser("1 1", "0.1 0 0", "0 0 0", "1") + flaser("1 1", "2.3 0 0", "2 0 0", "2"));
     ASSERT_EQ(log.scans().size(), 2U);
     for (const auto& scan : log.scans()) EXPECT_EQ(scan->sensorPose.x(), 0);
 }
 
 TEST(CarmenLog, LetsTheRearLaserLookBack)
 {
-    const auto log = read_text(
+    const auto log = read_text_log(
         "PARAM robot_rearlaser_offset -0.2 1.0 host 1.0\n" +
         flaser("3 1 1 1", "1 0 0", "1 0 0", "1.0", "RLASER"));
     const auto& scan = *log.scans().at(0);
@@ -146,67 +128,9 @@ TEST(CarmenLog, LetsTheRearLaserLookBack)
     EXPECT_NEAR(std::sin(beam_angle_vehicle(scan, 0)), 1, 1e-6);
 }
 
-TEST(CarmenLog, RobotLaserUsesItsStartAngleAndStep)
-{
-    RobotLaserText text;
-    text.start_angle = "-3.0";
-    text.step = "0.01";
-    text.count_and_ranges = "400 " + ranges_text(400);
-    const auto log = read_text(text.line());
-    ASSERT_EQ(log.error, "");
-    const auto& scan = *log.scans().at(0);
-    for (std::size_t i = 0; i < 400; ++i)
-        EXPECT_NEAR(beam_angle_vehicle(scan, i), -3.0 + 0.01 * double(i), 1e-6) << "beam " << i;
-}
-
-TEST(CarmenLog, RobotLaserUsesItsMountAndItsTurn)
-{
-    RobotLaserText text;
-    text.laser_pose = "1.145 2 0.1";
-    text.vehicle_pose = "1 2 0";
-    const auto log = read_text(text.line());
-    const auto& scan = *log.scans().at(0);
-    EXPECT_NEAR(scan.sensorPose.x(), 0.145, 1e-9);
-    EXPECT_NEAR(beam_angle_vehicle(scan, 0), -1.0 + 0.1, 1e-6);
-    EXPECT_NEAR(beam_angle_vehicle(scan, 2), 0.0 + 0.1, 1e-6);
-}
-
-TEST(CarmenLog, RobotLaserMayRunClockwise)
-{
-    RobotLaserText text;
-    text.start_angle = "1.0";
-    text.step = "-0.25";
-    const auto log = read_text(text.line());
-    const auto& scan = *log.scans().at(0);
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(beam_angle_vehicle(scan, i), 1.0 - 0.25 * double(i), 1e-6);
-}
-
-TEST(CarmenLog, RobotLaserSkipsRemissions)
-{
-    RobotLaserText text;
-    text.remissions = "3 900 901 902";
-    const auto log = read_text(text.line());
-    ASSERT_EQ(log.error, "");
-    EXPECT_EQ(unix_100ns(*log.scans().at(0)), 105'000'000);
-}
-
-TEST(CarmenLog, MarksRangesThatAreNone)
-{
-    RobotLaserText text;
-    text.count_and_ranges = "8 0 nan -1 6.0 7.5 5.99 inf 0.001";
-    const auto log = read_text(text.line());
-    ASSERT_EQ(log.error, "");
-    const auto& scan = *log.scans().at(0);
-    EXPECT_FLOAT_EQ(scan.maxRange, 6.0F);
-    const bool expected[] = {false, false, false, false, false, true, false, true};
-    for (std::size_t i = 0; i < 8; ++i)
-        EXPECT_EQ(scan.getScanRangeValidity(i), expected[i]) << "beam " << i;
-}
-
 TEST(CarmenLog, LeavesTheSentinelsOfFlaserToTheScanFilter)
 {
-    const auto log = read_text(flaser("3 81.83 0 51.11", "1 0 0", "1 0 0", "1"));
+    const auto log = read_text_log(flaser("3 81.83 0 51.11", "1 0 0", "1 0 0", "1"));
     const auto& scan = *log.scans().at(0);
     EXPECT_TRUE(scan.getScanRangeValidity(0));
     EXPECT_FALSE(scan.getScanRangeValidity(1));
@@ -216,10 +140,10 @@ TEST(CarmenLog, LeavesTheSentinelsOfFlaserToTheScanFilter)
 
 TEST(CarmenLog, GivesScansOfNoAndOneBeam)
 {
-    const auto none = read_text(flaser("0", "1 0 0", "1 0 0", "1"));
+    const auto none = read_text_log(flaser("0", "1 0 0", "1 0 0", "1"));
     ASSERT_EQ(none.scans().size(), 1U);
     EXPECT_EQ(none.scans()[0]->getScanSize(), 0U);
-    const auto one = read_text(flaser("1 4", "1 0 0", "1 0 0", "1"));
+    const auto one = read_text_log(flaser("1 4", "1 0 0", "1 0 0", "1"));
     ASSERT_EQ(one.scans().size(), 1U);
     EXPECT_EQ(one.scans()[0]->getScanSize(), 1U);
     EXPECT_EQ(one.scans()[0]->sensorPose.yaw(), 0);
@@ -229,11 +153,11 @@ TEST(CarmenLog, GivesScansOfNoAndOneBeam)
 TEST(CarmenLog, OdomLinesCountOnlyWhereLaserLinesHaveNone)
 {
     const std::string odom = "ODOM 7 8 0.5 0 0 0 1.5 host 0.1\n";
-    const auto with = read_text(odom + flaser("1 1", "1 0 0", "1 0 0", "2") + odom);
+    const auto with = read_text_log(odom + flaser("1 1", "1 0 0", "1 0 0", "2") + odom);
     ASSERT_EQ(with.odometry().size(), 1U);
     EXPECT_EQ(with.odometry()[0]->odometry.x(), 1);
 
-    const auto without = read_text(odom + flaser("1 1", "0 0 0", "0 0 0", "2") + odom);
+    const auto without = read_text_log(odom + flaser("1 1", "0 0 0", "0 0 0", "2") + odom);
     ASSERT_EQ(without.odometry().size(), 2U);
     EXPECT_EQ(without.odometry()[0]->odometry.x(), 7);
     EXPECT_EQ(without.scans().size(), 1U);
@@ -241,7 +165,7 @@ TEST(CarmenLog, OdomLinesCountOnlyWhereLaserLinesHaveNone)
 
 TEST(CarmenLog, PassesOverCommentsEmptyLinesAndOtherMessages)
 {
-    const auto log = read_text(
+    const auto log = read_text_log(
         "# a comment\n\n   \nNMEA-GGA 1 2 3\nSYNC tag\nTRUEPOS 1 2 3\r\n" +
         flaser("1 1", "1 0 0", "1 0 0", "2"));
     EXPECT_EQ(log.error, "");
@@ -252,14 +176,14 @@ TEST(CarmenLog, ReadsWindowsLineEndsAndAnOpenLastLine)
 {
     std::string text = flaser("1 1", "1 0 0", "1 0 0", "2");
     text.pop_back();
-    const auto log = read_text(text + "\r\n" + text);
+    const auto log = read_text_log(text + "\r\n" + text);
     EXPECT_EQ(log.error, "");
     EXPECT_EQ(log.scans().size(), 2U);
 }
 
 TEST(CarmenLog, ALogWithoutScansIsNoError)
 {
-    const auto log = read_text("PARAM robot_length 0.5 1 host 1\n");
+    const auto log = read_text_log("PARAM robot_length 0.5 1 host 1\n");
     EXPECT_EQ(log.error, "");
     EXPECT_TRUE(log.entries.empty());
 }
@@ -268,7 +192,7 @@ TEST(CarmenLog, DoesNotDependOnTheLocale)
 {
     // A locale with a decimal comma need not be installed; then this repeats the plain case.
     const char* const set = std::setlocale(LC_NUMERIC, "de_DE.UTF-8");
-    const auto log = read_text(flaser("1 1.75", "1 0 0", "1 0 0", "2.5"));
+    const auto log = read_text_log(flaser("1 1.75", "1 0 0", "1 0 0", "2.5"));
     std::setlocale(LC_NUMERIC, "C");
     EXPECT_FLOAT_EQ(log.scans().at(0)->getScanRange(0), 1.75F) << (set ? set : "C");
     EXPECT_EQ(unix_100ns(*log.scans()[0]), 25'000'000);
@@ -278,7 +202,7 @@ TEST(CarmenLog, NamesLineAndExpectationOfAMalformedLine)
 {
     const std::string good = flaser("1 1", "1 0 0", "1 0 0", "2");
     const auto error_of = [&](const std::string& bad)
-    { return read_text(good + bad + good).error; };
+    { return read_text_log(good + bad + good).error; };
     EXPECT_THAT(error_of("FLASER many 1\n"), HasSubstr("line 2"));
     EXPECT_THAT(error_of("FLASER many 1\n"), HasSubstr("num_readings"));
     EXPECT_THAT(error_of("FLASER 2 1 x 0 0 0 0 0 0 2 h 2\n"), HasSubstr("'x'"));
@@ -291,7 +215,7 @@ TEST(CarmenLog, NamesLineAndExpectationOfAMalformedLine)
     EXPECT_THAT(error_of("ODOM 1 2\n"), HasSubstr("theta"));
     EXPECT_THAT(error_of("hello world\n"), HasSubstr("CARMEN message"));
     for (const char* bad : {"FLASER many 1\n", "hello world\n"})
-        EXPECT_EQ(read_text(good + bad + good).scans().size(), 1U) << bad;
+        EXPECT_EQ(read_text_log(good + bad + good).scans().size(), 1U) << bad;
 }
 
 TEST(CarmenLog, TellsACutLastLineFromAMalformedOne)
@@ -300,7 +224,7 @@ TEST(CarmenLog, TellsACutLastLineFromAMalformedOne)
     const auto stamp_end = good.find("host");
     for (std::size_t cut = 1; cut < stamp_end; ++cut)
     {
-        const auto log = read_text(good + good.substr(0, cut));
+        const auto log = read_text_log(good + good.substr(0, cut));
         EXPECT_THAT(log.error, HasSubstr("truncated")) << cut;
         EXPECT_THAT(log.error, HasSubstr("line 2")) << cut;
         EXPECT_EQ(log.scans().size(), 1U) << cut;
