@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/maps/CPointsMap.h>
+#include <mrpt/math/TPose2D.h>
+#include <mrpt/poses/CPose2D.h>
+#include <rtob/core/points.h>
+#include <rtob/core/pose2.h>
+
+/// Poses and points between the core and MRPT. All SI; yaw wrapped into [-pi, pi).
+namespace rtob
+{
+[[nodiscard]] inline Pose2 to_pose2(const mrpt::math::TPose2D& pose)
+{
+    return {pose.x, pose.y, wrap_angle(pose.phi)};
+}
+
+[[nodiscard]] inline Pose2 to_pose2(const mrpt::poses::CPose2D& pose)
+{
+    return {pose.x(), pose.y(), wrap_angle(pose.phi())};
+}
+
+[[nodiscard]] inline mrpt::math::TPose2D to_tpose2d(const Pose2& pose)
+{
+    return {pose.x, pose.y, pose.yaw};
+}
+
+[[nodiscard]] inline mrpt::poses::CPose2D to_cpose2d(const Pose2& pose)
+{
+    return {pose.x, pose.y, pose.yaw};
+}
+
+/// The map's own x and y; valid until the map changes.
+[[nodiscard]] inline PointsView view_of(const mrpt::maps::CPointsMap& points)
+{
+    return {
+        points.getPointsBufferRef_x().data(), points.getPointsBufferRef_y().data(), points.size()};
+}
+}  // namespace rtob

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3D.h>
+#include <mrpt/system/datetime.h>
+#include <rtob/core/enum_names.h>
+#include <rtob/map/conversions.h>
+#include <rtob/map/rtob_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace rtob
+{
+namespace
+{
+constexpr std::size_t kPointBlock = 1 << 18;  // 3 MB: some 1000 scans of the paper's laser
+constexpr std::size_t kScanBlock = 1 << 12;
+
+const RtobMapOptions& validated(const RtobMapOptions& options)
+{
+    options.validate();
+    return options;
+}
+
+double stamp_of(const mrpt::obs::CObservation& observation)
+{
+    if (observation.timestamp == INVALID_TIMESTAMP) return std::numeric_limits<double>::quiet_NaN();
+    return mrpt::Clock::toDouble(observation.timestamp);
+}
+}  // namespace
+
+RtobMap::State::State(const RtobMapOptions& all_options)
+    : options(validated(all_options)), density(options.density), random(options.seed)
+{
+}
+
+RtobMap::RtobMap(const RtobMapOptions& options)
+    : state_(options), matching_{ReferenceDraw(options.draw), {}}
+{
+}
+
+RtobMap::RtobMap(const RtobMap& other)
+    : CSimplePointsMap(other), state_(other.state_), matching_(other.matching_)
+{
+    copyBaseOptionsFrom(other);
+}
+
+RtobMap& RtobMap::operator=(const RtobMap& other)
+{
+    if (this == &other) return *this;
+    CSimplePointsMap::operator=(other);
+    copyBaseOptionsFrom(other);
+    state_ = other.state_;
+    matching_ = other.matching_;
+    return *this;
+}
+
+/// MRPT copies the points of a map, not its options.
+void RtobMap::copyBaseOptionsFrom(const mrpt::maps::CPointsMap& other)
+{
+    insertionOptions = other.insertionOptions;
+    likelihoodOptions = other.likelihoodOptions;
+    renderOptions = other.renderOptions;
+    genericMapParams = other.genericMapParams;
+}
+
+void RtobMap::setOptions(const RtobMapOptions& options)
+{
+    options.validate();
+    state_.options = options;
+    state_.density = TimeDensity(options.density);
+    state_.random = Random(options.seed);
+    matching_ = {ReferenceDraw(options.draw), {}};
+}
+
+void RtobMap::insertScan(
+    double time_s, const Pose2& pose_map_vehicle, const PointsView& points_vehicle)
+{
+    if (points_vehicle.size == 0) return;
+    reserveFor(points_vehicle.size);
+    appendScan(time_s, pose_map_vehicle, points_vehicle.size);
+    const std::size_t first = m_x.size();
+    m_x.resize(first + points_vehicle.size);
+    m_y.resize(first + points_vehicle.size);
+    m_z.resize(first + points_vehicle.size, 0.0f);
+    const double c = std::cos(pose_map_vehicle.yaw), s = std::sin(pose_map_vehicle.yaw);
+    for (std::size_t i = 0; i < points_vehicle.size; ++i)
+    {
+        const double x = points_vehicle.x[i], y = points_vehicle.y[i];
+        m_x[first + i] = static_cast<float>(pose_map_vehicle.x + c * x - s * y);
+        m_y[first + i] = static_cast<float>(pose_map_vehicle.y + s * x + c * y);
+    }
+    mark_as_modified();
+}
+
+void RtobMap::reserveFor(std::size_t more_points)
+{
+    const std::size_t points = size() + more_points;
+    if (points <= m_x.capacity() && scans().size() < state_.scans_reserved) return;
+    const std::size_t points_wanted =
+        points <= m_x.capacity() ? m_x.capacity() : std::max({points, 2 * size(), kPointBlock});
+    reserve(points_wanted);
+    if (scans().size() >= state_.scans_reserved)
+        state_.scans_reserved = std::max(2 * scans().size(), kScanBlock);
+    state_.scans.reserve(state_.scans_reserved, points_wanted);
+}
+
+void RtobMap::appendScan(double time_s, const Pose2& pose_map_vehicle, std::size_t point_count)
+{
+    state_.scans.append(time_s, pose_map_vehicle, static_cast<std::uint32_t>(point_count));
+    state_.visits.append(pose_map_vehicle.x, pose_map_vehicle.y);
+    matching_.sample.reset();
+}
+
+void RtobMap::draw(const Pose2& pose_map_vehicle, Reference& reference)
+{
+    draw(pose_map_vehicle, gateAround(pose_map_vehicle), reference);
+}
+
+void RtobMap::draw(
+    const Pose2& pose_map_vehicle, const std::optional<Box>& gate, Reference& reference)
+{
+    matching_.draw.draw(
+        view(), state_.density, momentAt(pose_map_vehicle), gate, state_.random, reference);
+}
+
+std::optional<Box> RtobMap::gateAround(const Pose2& pose_map_vehicle) const
+{
+    const double half_width_m = state_.options.density.gate_m;
+    if (half_width_m <= 0) return std::nullopt;
+    return Box::around(pose_map_vehicle.x, pose_map_vehicle.y, half_width_m);
+}
+
+Moment RtobMap::momentAt(const Pose2& pose_map_vehicle) const
+{
+    return {clock().now(), pose_map_vehicle.x, pose_map_vehicle.y};
+}
+
+MapView RtobMap::view() const
+{
+    if (size() != state_.scans.pointCount())
+        throw std::logic_error(
+            "RtobMap holds " + std::to_string(size()) + " points, its scans " +
+            std::to_string(state_.scans.pointCount()) +
+            ": points were added or removed past insertScan() and insertObservation(); insert "
+            "observations only, or clear() the map");
+    return {points(), state_.scans, state_.visits};
+}
+
+std::size_t RtobMap::bytesInUse() const
+{
+    return size() * 3 * sizeof(float) + state_.scans.bytes() + state_.visits.bytes();
+}
+
+void RtobMap::internal_clear()
+{
+    CSimplePointsMap::internal_clear();
+    const RtobMapOptions options = state_.options;
+    state_ = State(options);
+    matching_.sample.reset();
+}
+
+bool RtobMap::internal_insertObservation(
+    const mrpt::obs::CObservation& observation,
+    const std::optional<const mrpt::poses::CPose3D>& pose_map_vehicle)
+{
+    const std::size_t first = size();
+    // Fusing moves and removes points, which would tear them from their scans.
+    insertionOptions.fuseWithExisting = false;
+    reserveFor(0);
+    if (!CSimplePointsMap::internal_insertObservation(observation, pose_map_vehicle)) return false;
+    dropPointsThatAreNoNumbers(first);
+    if (size() == first) return false;
+    const Pose2 pose =
+        pose_map_vehicle ? to_pose2(mrpt::poses::CPose2D(*pose_map_vehicle)) : Pose2{};
+    appendScan(tick(stamp_of(observation)), pose, size() - first);
+    return true;
+}
+
+/// Logs hold beams that are flagged valid and yet NaN or infinite.
+void RtobMap::dropPointsThatAreNoNumbers(std::size_t first)
+{
+    std::size_t kept = first;
+    for (std::size_t i = first; i < size(); ++i)
+    {
+        if (!std::isfinite(m_x[i]) || !std::isfinite(m_y[i]) || !std::isfinite(m_z[i])) continue;
+        setPointFast(kept++, m_x[i], m_y[i], m_z[i]);
+    }
+    if (kept != size()) resize(kept);
+}
+
+std::string RtobMap::asString() const
+{
+    std::ostringstream text;
+    text << "RTOB map: " << size() << " points of " << scans().size() << " scans over "
+         << (scans().empty() ? 0.0 : scans().time(scans().size() - 1) - scans().time(0))
+         << " s, density " << name_of(options().density.density);
+    return text.str();
+}
+}  // namespace rtob
