@@ -3,6 +3,11 @@
 
 namespace rtob
 {
+namespace
+{
+constexpr std::size_t longest_line = 16 << 20;  // a line of 100 000 beams takes less
+}
+
 std::optional<std::string_view> LineSource::next()
 {
     bytes_.consume(to_consume_);
@@ -23,6 +28,10 @@ std::optional<std::string_view> LineSource::next()
         {
             pieces_.append(chunk);
             bytes_.consume(chunk.size());
+            if (pieces_.size() > longest_line)
+                throw ByteSourceError(
+                    "a line of more than " + std::to_string(longest_line) + " bytes",
+                    "This is no text log: check the file");
             continue;
         }
         to_consume_ = line_end + 1;

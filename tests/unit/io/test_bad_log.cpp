@@ -160,6 +160,13 @@ TEST(BadLog, ForeignFilesAreTold)
     EXPECT_THAT(read_log(prose.path()).error, AllOf(HasSubstr("line 1"), HasSubstr("'Dear'")));
 }
 
+TEST(BadLog, ATextWithoutLineEndsIsNotReadIntoMemory)
+{
+    const TemporaryFile file(".log", "SYNC a\n" + std::string(40 << 20, 'A'));
+    EXPECT_THAT(
+        read_log(file.path()).error, AllOf(HasSubstr("line 2"), HasSubstr("16777216 bytes")));
+}
+
 TEST(BadLog, ErrorsKnowTheirFileAndPlace)
 {
     const TemporaryFile file(".log", "SYNC a\nnonsense\n");
