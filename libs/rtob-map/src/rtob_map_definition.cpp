@@ -9,9 +9,9 @@
 
 #include "points_map_sections.h"
 
-// MRPT's registry does not look at case: two names that differ in nothing else would create the map
-// twice. These differ in more.
-MAP_DEFINITION_REGISTER("rtob::RtobMap,rtobMap", rtob::RtobMap)
+// One name only: MRPT drops the namespace and looks past case, so "rtob::RtobMap" beside "rtobMap"
+// would make each map of an .ini twice.
+MAP_DEFINITION_REGISTER("rtobMap", rtob::RtobMap)
 
 namespace rtob
 {
