@@ -75,6 +75,18 @@ TEST(BadLog, ACutGzipTextLogIsTold)
     expect_cuts_are_told(gzip(carmen_log(120)), 120, 97);
 }
 
+TEST(BadLog, AMissingGzipTrailerIsTold)
+{
+    // All the data is there, only the check behind it is not: it may as well be a cut at a line
+    // end.
+    for (const auto& bytes : {gzip(carmen_log(1)), gzip(rawlog(1))})
+        for (std::size_t missing = 1; missing <= 8; ++missing)
+        {
+            const TemporaryFile file(".gz", bytes.substr(0, bytes.size() - missing));
+            EXPECT_THAT(read_log(file.path()).error, HasSubstr("cut short")) << missing;
+        }
+}
+
 TEST(BadLog, ACutPlainRawlogIsToldUnlessBetweenEntries)
 {
     const std::string bytes = rawlog(4);
