@@ -10,7 +10,10 @@ namespace
 {
 constexpr std::size_t kUnits = 512;    // strata of time in which p(t) is looked at once
 constexpr int kMaxRounds = 4;          // a gate may throw points away: try again this often
-constexpr std::size_t kMaxTries = 16;  // proposals a point, independent draws
+constexpr double kMinShare = 0.1;      // of the tries that a gate is expected to let through
+constexpr std::size_t kSpare = 16;     // more than the gate's share asks for: saves a last round
+constexpr std::size_t kMaxTries = 16;  // a point, independent draws
+constexpr std::size_t kPrefetchAhead = 32;  // picks; they may lie anywhere in a large map
 }  // namespace
 
 void DrawOptions::validate() const
@@ -22,7 +25,7 @@ ReferenceDraw::ReferenceDraw(const DrawOptions& options) : options_(options)
 {
     options_.validate();
     const auto n = static_cast<std::size_t>(options_.points);
-    stretches_.reserve(4 * TimeDensity::kMaxVisits);
+    support_.stretches.reserve(4 * TimeDensity::kMaxVisits);
     envelope_before_.reserve(4 * TimeDensity::kMaxVisits + 1);
     units_.reserve(kUnits);
     picked_.reserve(kMaxRounds * n);
@@ -40,42 +43,43 @@ void ReferenceDraw::draw(
     reference.origin_x = now.x;
     reference.origin_y = now.y;
 
-    density.support(map.scans, map.visits, now, stretches_);
-    lookUpStretches(map.scans);
+    density.findSupport(map.scans, map.visits, now, support_);
+    layOutSupport(map.scans);
     if (support_points_ <= (gate ? kMaxRounds * wanted : wanted))
     {
         takeAll(map, density, now);
         if (gate) dropOutside(*gate, map.points_map);
-        if (picked_.size() <= wanted) return gather(map.points_map, gate, reference);
+        if (picked_.size() <= wanted) return gather(map.points_map, reference);
     }
     const bool stratified = options_.mode == DrawMode::Stratified;
     if (stratified) makeUnits(map, density, now, random);
-    double share_kept = 1;
+    double tries_per_point = 1;
     for (int round = 0; round < kMaxRounds && reference.indices.size() < wanted; ++round)
     {
-        const std::size_t before = reference.indices.size();
-        const double missing = static_cast<double>(wanted - before) / share_kept;
-        const auto count = static_cast<std::size_t>(
-            std::min(std::ceil(missing), static_cast<double>(kMaxRounds * wanted)));
+        const std::size_t missing = wanted - reference.indices.size();
+        const auto tries =
+            static_cast<std::size_t>(std::ceil(static_cast<double>(missing) * tries_per_point));
         picked_.clear();
+        const std::size_t count = std::min(kMaxRounds * wanted, tries + (round > 0 ? kSpare : 0));
         if (stratified)
             pickStratified(count, random);
         else
             pickIndependent(map, density, now, count, random);
-        if (picked_.empty()) break;
-        gather(map.points_map, gate, reference);
-        share_kept = std::max(
-            0.1, static_cast<double>(reference.indices.size() - before) /
-                     static_cast<double>(picked_.size()));
+        if (picked_.empty()) return;
+        const auto tried = static_cast<double>(picked_.size());
+        if (gate) dropOutside(*gate, map.points_map);
+        tries_per_point = tried / std::max(kMinShare * tried, static_cast<double>(picked_.size()));
+        keepEvenly(missing, random);
+        gather(map.points_map, reference);
     }
 }
 
 /// Lays the stretches end to end on one axis, each as long as its points x its bound.
-void ReferenceDraw::lookUpStretches(const ScanTable& scans)
+void ReferenceDraw::layOutSupport(const ScanTable& scans)
 {
     envelope_before_.assign(1, 0.0);
     support_points_ = 0;
-    for (const Stretch& s : stretches_)
+    for (const Stretch& s : support_.stretches)
     {
         const std::uint64_t points =
             scans.firstPoint(s.scans.end) - scans.firstPoint(s.scans.first);
@@ -87,10 +91,10 @@ void ReferenceDraw::lookUpStretches(const ScanTable& scans)
 void ReferenceDraw::takeAll(const MapView& map, const TimeDensity& density, const Moment& now)
 {
     picked_.clear();
-    for (const Stretch& s : stretches_)
+    for (const Stretch& s : support_.stretches)
         for (std::size_t scan = s.scans.first; scan < s.scans.end; ++scan)
         {
-            if (density.weight(map.scans, now, scan) <= 0) continue;
+            if (density.weight(map.scans, now, support_, scan) <= 0) continue;
             for (auto i = map.scans.firstPoint(scan); i < map.scans.firstPoint(scan + 1); ++i)
                 picked_.push_back(i);
         }
@@ -98,9 +102,44 @@ void ReferenceDraw::takeAll(const MapView& map, const TimeDensity& density, cons
 
 void ReferenceDraw::dropOutside(const Box& gate, const PointsView& points_map)
 {
-    const auto outside = [&](std::uint64_t i)
-    { return !gate.contains(points_map.x[i], points_map.y[i]); };
-    picked_.erase(std::remove_if(picked_.begin(), picked_.end(), outside), picked_.end());
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < picked_.size(); ++k)
+    {
+        prefetch(points_map, k + kPrefetchAhead);
+        const std::uint64_t i = picked_[k];
+        if (gate.contains(points_map.x[i], points_map.y[i])) picked_[kept++] = i;
+    }
+    picked_.resize(kept);
+}
+
+/// Thins what is picked to `count`, each with the same chance: a cut at the end would forget the
+/// newest, because strata come in order of time.
+void ReferenceDraw::keepEvenly(std::size_t count, Random& random)
+{
+    if (picked_.size() <= count) return;
+    const double step = static_cast<double>(picked_.size()) / static_cast<double>(count);
+    const double start = step * random.uniform();
+    for (std::size_t k = 0; k < count; ++k)
+        picked_[k] = picked_[std::min(
+            picked_.size() - 1, static_cast<std::size_t>(start + step * static_cast<double>(k)))];
+    picked_.resize(count);
+}
+
+void ReferenceDraw::prefetch(const PointsView& points_map, std::size_t pick) const
+{
+    if (pick >= picked_.size()) return;
+    __builtin_prefetch(points_map.x + picked_[pick]);
+    __builtin_prefetch(points_map.y + picked_[pick]);
+}
+
+/// The point at a place of the envelope, which lies in stretch s.
+std::uint64_t ReferenceDraw::pointAt(const ScanTable& scans, std::size_t s, double place) const
+{
+    const Stretch& stretch = support_.stretches[s];
+    const double offset = std::max(0.0, (place - envelope_before_[s]) / stretch.bound);
+    return std::min(
+        scans.firstPoint(stretch.scans.end) - 1,
+        scans.firstPoint(stretch.scans.first) + static_cast<std::uint64_t>(offset));
 }
 
 void ReferenceDraw::pickIndependent(
@@ -108,53 +147,61 @@ void ReferenceDraw::pickIndependent(
     Random& random)
 {
     const double total = envelope_before_.back();
-    for (std::size_t tries = 0; tries < kMaxTries * count && picked_.size() < count; ++tries)
+    const std::size_t max_tries = kMaxTries * static_cast<std::size_t>(options_.points);
+    for (std::size_t tries = 0; tries < max_tries && picked_.size() < count; ++tries)
     {
-        const double position = random.uniform() * total;
+        const double place = random.uniform() * total;
         const auto after =
-            std::upper_bound(envelope_before_.begin() + 1, envelope_before_.end() - 1, position);
+            std::upper_bound(envelope_before_.begin() + 1, envelope_before_.end() - 1, place);
         const auto s = static_cast<std::size_t>(after - envelope_before_.begin()) - 1;
-        const auto first = map.scans.firstPoint(stretches_[s].scans.first);
-        const auto end = map.scans.firstPoint(stretches_[s].scans.end);
-        const std::uint64_t point = std::min(
-            end - 1, first + static_cast<std::uint64_t>(
-                                 (position - envelope_before_[s]) / stretches_[s].bound));
-        const double weight = density.weight(map.scans, now, map.scans.scanOf(point));
-        if (random.uniform() * stretches_[s].bound < weight) picked_.push_back(point);
+        const std::uint64_t point = pointAt(map.scans, s, place);
+        const double weight = density.weight(map.scans, now, support_, map.scans.scanOf(point));
+        if (random.uniform() * support_.stretches[s].bound < weight) picked_.push_back(point);
     }
 }
 
-/// Cuts the envelope into kUnits equal strata, looks at p(t) at one random point of each, and keeps
-/// those points of the stratum that share its scan. A scan is looked at as often as it holds
+/// Cuts the envelope into kUnits equal strata, looks at p(t) at one random place of each, and keeps
+/// that part of the stratum that lies in the same scan. A scan is looked at as often as it holds
 /// points, so P(point) stays p(its time), while p(t) is computed a fixed number of times.
 void ReferenceDraw::makeUnits(
     const MapView& map, const TimeDensity& density, const Moment& now, Random& random)
 {
     units_.clear();
     units_weight_ = 0;
+    if (density.isFlat()) return makeFlatUnits(map.scans);
     const double stratum = envelope_before_.back() / static_cast<double>(kUnits);
     std::size_t s = 0;
     for (std::size_t unit = 0; unit < kUnits; ++unit)
     {
         const double begin = stratum * static_cast<double>(unit);
-        const double position = begin + stratum * random.uniform();
-        while (s + 1 < stretches_.size() && envelope_before_[s + 1] <= position) ++s;
+        const double place = begin + stratum * random.uniform();
+        while (s + 1 < support_.stretches.size() && envelope_before_[s + 1] <= place) ++s;
+        const std::size_t scan = map.scans.scanOf(pointAt(map.scans, s, place));
 
-        const auto point_at = [&](double where)
+        const Stretch& stretch = support_.stretches[s];
+        const auto to_points = [&](double where)
         {
-            const auto first = map.scans.firstPoint(stretches_[s].scans.first);
-            const auto end = map.scans.firstPoint(stretches_[s].scans.end);
-            const double offset = (where - envelope_before_[s]) / stretches_[s].bound;
-            return offset <= 0 ? first : std::min(end, first + static_cast<std::uint64_t>(offset));
+            return static_cast<double>(map.scans.firstPoint(stretch.scans.first)) +
+                   (where - envelope_before_[s]) / stretch.bound;
         };
-        const std::uint64_t last_point = map.scans.firstPoint(stretches_[s].scans.end) - 1;
-        const std::uint64_t point = std::min(last_point, point_at(position));
-        const std::size_t scan = map.scans.scanOf(point);
-        const std::uint64_t first = std::max(map.scans.firstPoint(scan), point_at(begin));
-        const std::uint64_t end =
-            std::min(map.scans.firstPoint(scan + 1), point_at(begin + stratum));
-        units_.push_back({std::min(first, point), std::max(end, point + 1), units_weight_});
-        units_weight_ += density.weight(map.scans, now, scan) / stretches_[s].bound;
+        units_.push_back(
+            {std::max(to_points(begin), static_cast<double>(map.scans.firstPoint(scan))),
+             std::min(
+                 to_points(begin + stratum), static_cast<double>(map.scans.firstPoint(scan + 1))),
+             units_weight_});
+        units_weight_ += density.weight(map.scans, now, support_, scan) / stretch.bound;
+    }
+}
+
+/// One unit a stretch: nothing need be looked at where p(t) is the same everywhere.
+void ReferenceDraw::makeFlatUnits(const ScanTable& scans)
+{
+    for (const Stretch& s : support_.stretches)
+    {
+        const auto first = static_cast<double>(scans.firstPoint(s.scans.first));
+        const auto end = static_cast<double>(scans.firstPoint(s.scans.end));
+        units_.push_back({first, end, units_weight_});
+        units_weight_ += end - first;
     }
 }
 
@@ -174,30 +221,23 @@ void ReferenceDraw::pickStratified(std::size_t count, Random& random)
             (u + 1 < units_.size() ? units_[u + 1].weight_before : units_weight_) -
             unit.weight_before;
         const double share = weight > 0 ? (position - unit.weight_before) / weight : 0.0;
-        const auto length = unit.end_point - unit.first_point;
-        picked_.push_back(
-            unit.first_point +
-            std::min(length - 1, static_cast<std::uint64_t>(share * static_cast<double>(length))));
+        const auto point = static_cast<std::uint64_t>(unit.begin + share * (unit.end - unit.begin));
+        const auto last = static_cast<std::uint64_t>(std::ceil(unit.end)) - 1;
+        picked_.push_back(std::min(point, last));
     }
 }
 
-void ReferenceDraw::gather(
-    const PointsView& points_map, const std::optional<Box>& gate, Reference& reference) const
+/// Adds what is picked to the reference.
+void ReferenceDraw::gather(const PointsView& points_map, Reference& reference) const
 {
-    for (const std::uint64_t i : picked_)
+    for (std::size_t k = 0; k < picked_.size(); ++k)
     {
-        __builtin_prefetch(points_map.x + i);
-        __builtin_prefetch(points_map.y + i);
-    }
-    const auto wanted = static_cast<std::size_t>(options_.points);
-    for (const std::uint64_t i : picked_)
-    {
-        if (reference.indices.size() == wanted) return;
-        const double x = points_map.x[i], y = points_map.y[i];
-        if (gate && !gate->contains(x, y)) continue;
+        prefetch(points_map, k + kPrefetchAhead);
+        const std::uint64_t i = picked_[k];
         reference.indices.push_back(i);
         reference.points.add(
-            static_cast<float>(x - reference.origin_x), static_cast<float>(y - reference.origin_y));
+            static_cast<float>(points_map.x[i] - reference.origin_x),
+            static_cast<float>(points_map.y[i] - reference.origin_y));
     }
 }
 }  // namespace rtob

@@ -21,7 +21,6 @@ void DensityOptions::validate() const
     require(laser_range_m > 0, "laser_range_m", laser_range_m, "> 0");
     require(vicinity_m >= 0, "vicinity_m", vicinity_m, ">= 0");
     require(gate_m >= 0, "gate_m", gate_m, ">= 0");
-    require(min_age_s >= 0, "min_age_s", min_age_s, ">= 0");
 }
 
 TimeDensity::TimeDensity(const DensityOptions& options)
@@ -35,10 +34,10 @@ TimeDensity::TimeDensity(const DensityOptions& options)
     uncut_.reserve(4 * kMaxVisits);
 }
 
-void TimeDensity::support(
-    const ScanTable& table, const VisitIndex& visits, const Moment& now,
-    std::vector<Stretch>& stretches) const
+void TimeDensity::findSupport(
+    const ScanTable& table, const VisitIndex& visits, const Moment& now, Support& support) const
 {
+    auto& stretches = support.stretches;
     stretches.clear();
     if (table.empty()) return;
     const auto add = [&](std::size_t first, std::size_t end)
@@ -63,15 +62,19 @@ void TimeDensity::support(
             add(0, table.size());
             break;
     }
-    if (options_.min_age_s > 0) dropNewest(table, now, stretches);
-    if (forgetting_rate_ > 0) cutByAge(table, now, stretches);
+    dropFrom(now.scans_end, stretches);
+    if (stretches.empty()) return;
+    support.newest_s = table.time(stretches.back().scans.end - 1);
+    if (forgetting_rate_ > 0) cutByAge(table, support);
 }
 
-double TimeDensity::weight(const ScanTable& table, const Moment& now, std::size_t scan) const
+double TimeDensity::weight(
+    const ScanTable& table, const Moment& now, const Support& support, std::size_t scan) const
 {
     double weight = options_.density == Density::Revisit ? gaussianSum(table, now, scan) : 1.0;
+    // Not from `now`: a constant factor less, which would underflow for a place left long ago.
     if (forgetting_rate_ > 0)
-        weight *= std::exp(-forgetting_rate_ * std::max(0.0, now.time_s - table.time(scan)));
+        weight *= std::exp(-forgetting_rate_ * (support.newest_s - table.time(scan)));
     return weight;
 }
 
@@ -80,58 +83,55 @@ void TimeDensity::visitedScans(
     std::vector<Stretch>& stretches) const
 {
     visits.query(Box::around(now.x, now.y, vicinity_m_), table, kMaxVisits, ranges_);
-    // No sum of Gaussians exceeds the densest second's scans in every sigma of its reach.
-    const double scans_per_sigma =
-        static_cast<double>(table.densestSecond()) * std::ceil(options_.sigma_s);
-    const double bound = scans_per_sigma * 3.51;  // 2 (1 + exp(-1/2) + exp(-4/2) + exp(-9/2) ...)
     const double reach_s = kGaussianReach * options_.sigma_s;
     for (const ScanRange& visit : ranges_)
     {
-        std::size_t first = table.backTo(table.time(visit.first) - reach_s, visit.first);
+        const std::size_t first = table.backTo(table.time(visit.first) - reach_s, visit.first);
         const std::size_t end = table.forwardTo(table.time(visit.end - 1) + reach_s, visit.end - 1);
         if (!stretches.empty() && first <= stretches.back().scans.end)
             stretches.back().scans.end = std::max(stretches.back().scans.end, end);
         else
-            stretches.push_back({{first, end}, bound});
+            stretches.push_back({{first, end}, 1.0});
     }
+    for (Stretch& s : stretches) s.bound = gaussianBound(table, s.scans);
 }
 
-void TimeDensity::dropNewest(
-    const ScanTable& table, const Moment& now, std::vector<Stretch>& stretches) const
+/// No sum of Gaussians exceeds the densest second's scans in every sigma of its reach, nor the
+/// scans that can be within its reach.
+double TimeDensity::gaussianBound(const ScanTable& table, const ScanRange& scans) const
 {
-    const std::size_t end = table.backTo(now.time_s - options_.min_age_s, table.size());
-    while (!stretches.empty() && stretches.back().scans.first >= end) stretches.pop_back();
-    if (!stretches.empty()) stretches.back().scans.end = std::min(stretches.back().scans.end, end);
+    const double scans_per_sigma =
+        static_cast<double>(table.densestSecond()) * std::ceil(options_.sigma_s);
+    constexpr double kSigmas = 3.51;  // 2 (1 + exp(-1/2) + exp(-4/2) + exp(-9/2))
+    return std::min(kSigmas * scans_per_sigma, static_cast<double>(scans.end - scans.first));
 }
 
-/// Cuts the stretches at ages of 0, 1/4, 2/4 ... of 1/lambda, so that each piece's bound is within
-/// 22 % of all its weights, and drops what is too old to matter beside the newest.
-void TimeDensity::cutByAge(
-    const ScanTable& table, const Moment& now, std::vector<Stretch>& stretches) const
+void TimeDensity::dropFrom(std::size_t scans_end, std::vector<Stretch>& stretches)
 {
-    if (stretches.empty()) return;
-    constexpr double kSlice = 0.25;
-    uncut_.swap(stretches);
-    stretches.clear();
-    const double newest_age_s = std::max(0.0, now.time_s - table.time(uncut_.back().scans.end - 1));
-    double slice_age_s = newest_age_s;
+    while (!stretches.empty() && stretches.back().scans.first >= scans_end) stretches.pop_back();
+    if (!stretches.empty())
+        stretches.back().scans.end = std::min(stretches.back().scans.end, scans_end);
+}
+
+/// Cuts the stretches at 0, 1/4, 2/4 ... of 1/lambda before the newest scan, so that forgetting
+/// varies by at most 22 % within a piece, and drops what is too old to matter.
+void TimeDensity::cutByAge(const ScanTable& table, Support& support) const
+{
+    constexpr double kSlice = 0.25, kSlices = kForgettingReach / kSlice;
+    uncut_.swap(support.stretches);
+    support.stretches.clear();
+    double slice = 0;
     for (auto it = uncut_.rbegin(); it != uncut_.rend(); ++it)
-    {
-        std::size_t end = it->scans.end;
-        while (end > it->scans.first &&
-               slice_age_s <= newest_age_s + kForgettingReach / forgetting_rate_)
+        for (std::size_t end = it->scans.end; end > it->scans.first && slice < kSlices;)
         {
-            const double next_age_s = slice_age_s + kSlice / forgetting_rate_;
-            const std::size_t first =
-                std::max(it->scans.first, table.backTo(now.time_s - next_age_s, end));
+            const double oldest_s = support.newest_s - (slice + 1) * kSlice / forgetting_rate_;
+            const std::size_t first = std::max(it->scans.first, table.backTo(oldest_s, end));
             if (first < end)
-                stretches.push_back(
-                    {{first, end}, it->bound * std::exp(-forgetting_rate_ * slice_age_s)});
+                support.stretches.push_back({{first, end}, it->bound * std::exp(-slice * kSlice)});
             end = first;
-            if (end > it->scans.first) slice_age_s = next_age_s;
+            if (end > it->scans.first) ++slice;
         }
-    }
-    std::reverse(stretches.begin(), stretches.end());
+    std::reverse(support.stretches.begin(), support.stretches.end());
 }
 
 double TimeDensity::gaussianSum(const ScanTable& table, const Moment& now, std::size_t scan) const

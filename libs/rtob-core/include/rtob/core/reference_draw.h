@@ -64,34 +64,40 @@ class ReferenceDraw
  public:
     explicit ReferenceDraw(const DrawOptions& options = {});
 
-    /// Draws for `now`, only points inside `gate` if there is one. Fewer points than asked come
-    /// back when the support or the gate holds fewer: then each once, in order of time.
+    /// Draws for `now`, only points inside `gate` if there is one. When the support holds fewer
+    /// points than asked, each comes once, in order of time; with a gate so too, if the support
+    /// holds at most four times as many as asked. In a larger support a gate that lets few points
+    /// through gives what a fixed number of tries finds: fewer than asked, and some twice.
     void draw(
         const MapView& map, const TimeDensity& density, const Moment& now,
         const std::optional<Box>& gate, Random& random, Reference& reference);
 
  private:
-    /// Neighbouring points of one scan that stand for an equal share of the envelope.
+    /// Neighbouring points that stand for an equal share of the envelope: of one scan, or of any
+    /// where p(t) is flat. On the axis of the map's points, ends need not be whole.
     struct Unit
     {
-        std::uint64_t first_point, end_point;
+        double begin, end;
         double weight_before;  ///< of all units before this one
     };
 
-    void lookUpStretches(const ScanTable& scans);
+    void layOutSupport(const ScanTable& scans);
     void takeAll(const MapView& map, const TimeDensity& density, const Moment& now);
     void dropOutside(const Box& gate, const PointsView& points_map);
+    void keepEvenly(std::size_t count, Random& random);
+    [[nodiscard]] std::uint64_t pointAt(const ScanTable& scans, std::size_t s, double place) const;
     void pickIndependent(
         const MapView& map, const TimeDensity& density, const Moment& now, std::size_t count,
         Random& random);
     void makeUnits(
         const MapView& map, const TimeDensity& density, const Moment& now, Random& random);
+    void makeFlatUnits(const ScanTable& scans);
     void pickStratified(std::size_t count, Random& random);
-    void gather(
-        const PointsView& points_map, const std::optional<Box>& gate, Reference& reference) const;
+    void prefetch(const PointsView& points_map, std::size_t pick) const;
+    void gather(const PointsView& points_map, Reference& reference) const;
 
     DrawOptions options_;
-    std::vector<Stretch> stretches_;
+    Support support_;
     std::vector<double> envelope_before_;  ///< points x bound of all stretches before; one more
     std::uint64_t support_points_ = 0;
     std::vector<Unit> units_;

@@ -3,6 +3,7 @@
 #include <rtob/core/scan_table.h>
 #include <rtob/core/visit_index.h>
 #include <array>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -40,7 +41,6 @@ struct DensityOptions
     double laser_range_m = 8;
     double vicinity_m = 0;
     double gate_m = 0;
-    double min_age_s = 0;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -63,7 +63,6 @@ struct DensityOptions
         visit(
             "gate_m", s.gate_m,
             "draw only points within this of the vehicle in x and in y; 0: everywhere");
-        visit("min_age_s", s.min_age_s, "draw only scans at least this old; >= 0");
     }
     void validate() const;
 };
@@ -73,6 +72,8 @@ struct Moment
 {
     double time_s = 0;    ///< map time
     double x = 0, y = 0;  ///< the vehicle in map, as pre-aligned
+    /// Only scans before this one are drawn.
+    std::size_t scans_end = std::numeric_limits<std::size_t>::max();
 };
 
 /// Consecutive scans that may be drawn, with an upper bound of p(t) over them.
@@ -82,8 +83,16 @@ struct Stretch
     double bound = 1;
 };
 
+/// Where p(t) is not 0: stretches in order of time, disjoint. Their number is bounded whatever the
+/// map's size.
+struct Support
+{
+    std::vector<Stretch> stretches;
+    double newest_s = 0;  ///< time of the newest scan in it: forgetting counts from there
+};
+
 /// p(t) up to a constant factor: a value that holds its options and picks scans. P(point) follows
-/// p(its time), so a scan weighs p(t) x its number of points.
+/// p(its time), so a scan weighs p(t) x its number of points. Not for two threads at once.
 class TimeDensity
 {
  public:
@@ -94,13 +103,19 @@ class TimeDensity
 
     explicit TimeDensity(const DensityOptions& options = {});
 
-    /// The support in order of time, disjoint. Its length is bounded whatever the map's size.
-    void support(
+    void findSupport(
         const ScanTable& table, const VisitIndex& visits, const Moment& now,
-        std::vector<Stretch>& stretches) const;
+        Support& support) const;
 
     /// p(time of the scan), not normalised; at most the bound of the scan's stretch.
-    [[nodiscard]] double weight(const ScanTable& table, const Moment& now, std::size_t scan) const;
+    [[nodiscard]] double weight(
+        const ScanTable& table, const Moment& now, const Support& support, std::size_t scan) const;
+
+    /// Whether p(t) is the same all over the support.
+    [[nodiscard]] bool isFlat() const
+    {
+        return options_.density != Density::Revisit && forgetting_rate_ == 0;
+    }
 
     /// Delta x = Delta y of sec. 2.3.3 [m].
     [[nodiscard]] double vicinity() const { return vicinity_m_; }
@@ -109,16 +124,16 @@ class TimeDensity
     void visitedScans(
         const ScanTable& table, const VisitIndex& visits, const Moment& now,
         std::vector<Stretch>& stretches) const;
-    void dropNewest(
-        const ScanTable& table, const Moment& now, std::vector<Stretch>& stretches) const;
-    void cutByAge(const ScanTable& table, const Moment& now, std::vector<Stretch>& stretches) const;
+    [[nodiscard]] double gaussianBound(const ScanTable& table, const ScanRange& scans) const;
+    static void dropFrom(std::size_t scans_end, std::vector<Stretch>& stretches);
+    void cutByAge(const ScanTable& table, Support& support) const;
     [[nodiscard]] double gaussianSum(
         const ScanTable& table, const Moment& now, std::size_t scan) const;
 
     DensityOptions options_;
     double vicinity_m_;
-    double forgetting_rate_;  ///< lambda [1/s]
-    mutable std::vector<ScanRange> ranges_;
+    double forgetting_rate_;                 ///< lambda [1/s]
+    mutable std::vector<ScanRange> ranges_;  ///< buffers of findSupport()
     mutable std::vector<Stretch> uncut_;
 };
 }  // namespace rtob
