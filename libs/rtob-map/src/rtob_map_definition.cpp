@@ -6,12 +6,14 @@
 #include <rtob/map/rtob_map.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "points_map_sections.h"
 
-// One name only: MRPT drops the namespace and looks past case, so "rtob::RtobMap" beside "rtobMap"
-// would make each map of an .ini twice.
-MAP_DEFINITION_REGISTER("rtobMap", rtob::RtobMap)
+// The class name only: MRPT registers it with and without its namespace and finds sections and keys
+// whatever their case, so this is also "rtobMap". Registered as a second name, that would make each
+// map of an .ini twice.
+MAP_DEFINITION_REGISTER("rtob::RtobMap", rtob::RtobMap)
 
 namespace rtob
 {
@@ -41,6 +43,15 @@ Section loaded(const mrpt::config::CConfigFileBase& config, const std::string& n
     return section;
 }
 
+/// Whatever the case, as MRPT looks for sections.
+bool starts_with(const std::string& text, const std::string& start)
+{
+    return text.size() >= start.size() &&
+           std::equal(
+               start.begin(), start.end(), text.begin(),
+               [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
 /// A section of this map whose name is misspelt would silently leave the defaults.
 void refuse_unknown_sections(const mrpt::config::CConfigFileBase& config, const std::string& prefix)
 {
@@ -51,8 +62,12 @@ void refuse_unknown_sections(const mrpt::config::CConfigFileBase& config, const 
     config.getAllSections(sections);
     for (const auto& section : sections)
     {
-        if (section.compare(0, prefix.size() + 1, prefix + "_") != 0) continue;
-        if (std::find(known.begin(), known.end(), section) != known.end()) continue;
+        if (!starts_with(section, prefix + "_")) continue;
+        if (std::any_of(
+                known.begin(), known.end(),
+                [&](const std::string& name)
+                { return name.size() == section.size() && starts_with(section, name); }))
+            continue;
         throw std::runtime_error(
             config_name(config) + ": unknown section [" + section + "]" +
             suggestion(section, known));
