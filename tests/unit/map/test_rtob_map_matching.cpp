@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CICP.h>
@@ -11,6 +12,7 @@
 #include "room_mrpt.h"
 
 #include <cstdint>
+#include <memory>
 #include <set>
 
 using mrpt::maps::CSimplePointsMap;
@@ -237,4 +239,17 @@ TEST(RtobMapInCicp, LevenbergMarquardtFindsTheOffset)
     EXPECT_THAT(
         aligned_by_cicp(mrpt::slam::icpLevenbergMarquardt, truth, {1.6, 0.93, 0.14}),
         IsNearPose(truth, 0.01, 0.005));
+}
+
+TEST(RtobMapInMultiMetricMap, IsWhatTheMultiMetricMapMatches)
+{
+    mrpt::maps::CMultiMetricMap maps;
+    const auto map = std::make_shared<RtobMap>(fully_drawn_map());
+    maps.maps.push_back(map);
+    const auto scan = points_map(room_4x3().scan_vehicle(where_mapped));
+    const auto direct = match(*map, scan, {1.6, 0.9, 0.15}, {});
+    const auto through = match(maps, scan, {1.6, 0.9, 0.15}, {});
+    EXPECT_GT(direct.pairs.size(), 10u);
+    EXPECT_EQ(through.pairs.size(), direct.pairs.size());
+    EXPECT_EQ(through.extra.sumSqrDist, direct.extra.sumSqrDist);
 }
