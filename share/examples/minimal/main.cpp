@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <rtob/core/pose2.h>
+#include <rtob/io/log_reader.h>
+#include <rtob/slam/slam.h>
+
 #include <cstdio>
 
-int main()
+int main(int argc, char** argv)
 {
-    const rtob::Pose2 pose_map_vehicle{2.0, 1.0, 0.5};
-    const rtob::Pose2 pose_vehicle_laser{0.1, 0.0, 0.0};
-    const rtob::Pose2 pose_map_laser = rtob::compose(pose_map_vehicle, pose_vehicle_laser);
-    std::printf("laser at %.3f %.3f m\n", pose_map_laser.x, pose_map_laser.y);
+    if (argc != 2) return std::fputs("Usage: minimal LOG\n", stderr), 2;
+    rtob::Slam slam;
+    const auto log = rtob::open_log(argv[1]);
+    while (const auto entry = log->next())
+    {
+        if (entry->motion) slam.observe(*entry->motion);
+        if (!entry->observation) continue;
+        if (const auto* report = slam.observe(*entry->observation))
+        {
+            const rtob::Pose2& pose = report->pose_map_vehicle;
+            std::printf("%.6f %.3f %.3f %.4f\n", report->stamp_s, pose.x, pose.y, pose.yaw);
+        }
+    }
 }
