@@ -11,6 +11,8 @@ namespace rtob
 namespace
 {
 constexpr std::size_t kMinPairs = 3;
+// Ground is known where the reference has a point within this many pair distances.
+constexpr double kKnownReach = 3;
 // A pair that lies on no line constrains both directions; one on a line, this little along it.
 constexpr double kAlongLine = 0.02;
 // Range noise and the points' own spread: no covariance is better than this allows.
@@ -54,7 +56,9 @@ IcpResult Icp::align(
         options_.metric == IcpMetric::PointToPoint && prior.information.isZero(0);
     for (; result.iterations < options_.iterations; ++result.iterations)
     {
-        findPairs(scan, result.correction, pairDistance(result.iterations));
+        const double distance_m = pairDistance(result.iterations);
+        scale_m_ = options_.kernel_scale_m * distance_m / options_.final_pair_distance_m;
+        findPairs(scan, result.correction, distance_m);
         if (pairs_.size() < kMinPairs) break;
         const Pose2 before = result.correction;
         result.correction =
@@ -110,7 +114,7 @@ void Icp::findPairs(const PointsView& scan, const Pose2& correction, double max_
 
 double Icp::weight(double squared_residual) const
 {
-    const double c = options_.kernel_scale_m, ratio2 = squared_residual / (c * c);
+    const double ratio2 = squared_residual / (scale_m_ * scale_m_);
     switch (options_.kernel)
     {
         case RobustKernel::None:
@@ -204,6 +208,21 @@ Pose2 Icp::fitLinearised(const Pose2& correction, const CorrectionPrior& prior)
     return {correction.x + step(0), correction.y + step(1), correction.yaw + step(2)};
 }
 
+/// How many of the scan's points lie where the reference has something near, paired or not.
+std::size_t Icp::countKnown() const
+{
+    const auto reach = static_cast<float>(kKnownReach * options_.max_pair_distance_m);
+    std::size_t known = pairs_.size(), next_pair = 0;
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+    {
+        if (next_pair < pairs_.size() && pairs_[next_pair].scan_point == i)
+            ++next_pair;
+        else if (grid_.nearest(moved_.x[i], moved_.y[i], reach).index != NeighbourGrid::kNone)
+            ++known;
+    }
+    return known;
+}
+
 /// Error, share and covariance of the final pairs. The information counts each pair across its
 /// local line only, because along a wall a neighbour is always near: so a corridor shows as long.
 void Icp::describe(const PointsView& scan, IcpResult& result)
@@ -212,6 +231,7 @@ void Icp::describe(const PointsView& scan, IcpResult& result)
     result.paired_share =
         scan.size == 0 ? 0 : static_cast<double>(pairs_.size()) / static_cast<double>(scan.size);
     if (pairs_.empty()) return;
+    result.known_share = static_cast<double>(pairs_.size()) / static_cast<double>(countKnown());
     Eigen::Matrix3d& h = result.information;
     double sum = 0;
     for (const Pair& pair : pairs_)

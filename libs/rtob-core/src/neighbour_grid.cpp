@@ -13,7 +13,7 @@ constexpr std::size_t kCellsPerPoint = 4;
 // Enough cells that few share one, and more cells in a row than a query is wide.
 std::int32_t table_side(std::size_t points)
 {
-    std::int32_t side = 16;
+    std::int32_t side = 32;
     while (static_cast<std::size_t>(side) * static_cast<std::size_t>(side) <
            kCellsPerPoint * points)
         side *= 2;

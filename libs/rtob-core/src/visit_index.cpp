@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rtob
 {
@@ -59,10 +60,30 @@ void VisitIndex::append(double x, double y)
     ++size_;
 }
 
+void VisitIndex::reserve(std::size_t scans)
+{
+    prepared_.clear();
+    std::size_t nodes = scans;
+    for (std::size_t level = 0; nodes > 1; ++level)
+    {
+        nodes = nodes / (level == 0 ? kLeafScans : kFanOut) + 1;
+        if (level >= levels_.size()) prepared_.emplace_back();
+        (level < levels_.size() ? levels_[level] : prepared_.back()).reserve(nodes);
+    }
+    levels_.reserve(levels_.size() + prepared_.size());
+    std::reverse(prepared_.begin(), prepared_.end());
+}
+
 /// Adds a level of one node, over all that the level below holds so far.
 void VisitIndex::growTop()
 {
-    levels_.emplace_back();
+    if (prepared_.empty())
+        levels_.emplace_back();
+    else
+    {
+        levels_.push_back(std::move(prepared_.back()));
+        prepared_.pop_back();
+    }
     if (levels_.size() == 1) return;
     const auto& below_top = levels_[levels_.size() - 2];
     Bounds top = below_top.front();

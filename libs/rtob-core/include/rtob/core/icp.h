@@ -85,8 +85,9 @@ struct IcpResult
     Pose2 correction;
     int iterations = 0;
     std::size_t pairs = 0;
-    double paired_share = 0;                                   ///< [0, 1] of the scan's points
-    double mean_squared_error = 0;                             ///< m^2, over the pairs [sec. 2.1.3]
+    double paired_share = 0;        ///< [0, 1] of the scan's points
+    double known_share = 0;         ///< [0, 1] of the points where the reference knows something
+    double mean_squared_error = 0;  ///< m^2, over the pairs [sec. 2.1.3]
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();     ///< of x, y, yaw, for 1 m of noise
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< x, y, yaw; m^2, rad^2
 };
@@ -124,9 +125,11 @@ class Icp
     [[nodiscard]] Pose2 fitClosedForm(const PointsView& scan, const Pose2& correction) const;
     [[nodiscard]] Pose2 fitLinearised(const Pose2& correction, const CorrectionPrior& prior);
     [[nodiscard]] double weight(double squared_residual) const;
+    [[nodiscard]] std::size_t countKnown() const;
     void describe(const PointsView& scan, IcpResult& result);
 
     IcpOptions options_;
+    double scale_m_ = 1;  ///< the kernel's, shrinking with the pair distance
     NeighbourGrid grid_;
     LineField lines_;
     Points moved_;                    ///< the scan under the current correction

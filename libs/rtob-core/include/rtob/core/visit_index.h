@@ -18,7 +18,9 @@ class VisitIndex
 {
  public:
     void append(double x, double y);
-    void clear() { levels_.clear(), size_ = 0; }
+    void clear() { *this = VisitIndex(); }
+    /// Room for so many scans in all: append() allocates nothing until then.
+    void reserve(std::size_t scans);
 
     /// Ranges in order of time that hold every scan taken in `box`, no two adjacent, at most
     /// max_ranges. Exact as long as they are fewer and the tree's levels need no more than a few
@@ -54,6 +56,7 @@ class VisitIndex
         const Add& add) const;
 
     std::vector<std::vector<Bounds>> levels_;
+    std::vector<std::vector<Bounds>> prepared_;  ///< empty, reserved; the next level is the last
     std::size_t size_ = 0;
     mutable std::vector<Part> parts_, finer_;  ///< buffers of query()
 };

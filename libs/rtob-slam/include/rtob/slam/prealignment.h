@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/core/pose2.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace rtob
+{
+/// Where a scan's first guess comes from, sec. 2.1.2.
+enum class PrealignSource
+{
+    Auto,              ///< odometry while it arrives, else constant velocity
+    LastPose,          ///< the paper's first way
+    ConstantVelocity,  ///< the last scan's motion goes on
+    Odometry           ///< odometry while it arrives, else the last pose
+};
+
+constexpr auto enum_names(PrealignSource)
+{
+    return std::array<std::pair<PrealignSource, std::string_view>, 4>{
+        {{PrealignSource::Auto, "auto"},
+         {PrealignSource::LastPose, "last_pose"},
+         {PrealignSource::ConstantVelocity, "constant_velocity"},
+         {PrealignSource::Odometry, "odometry"}}};
+}
+
+struct PrealignOptions
+{
+    PrealignSource source = PrealignSource::Auto;
+    double max_speed_mps = 5;
+    double max_turn_degps = 360;
+
+    template <class Self, class Visit>
+    static void fields(Self& s, Visit&& visit)
+    {
+        visit("source", s.source, "what the first guess of a scan's pose comes from [sec. 2.1.2]");
+        visit(
+            "max_speed_mps", s.max_speed_mps,
+            "constant velocity: a faster motion is not carried on; > 0");
+        visit(
+            "max_turn_degps", s.max_turn_degps,
+            "constant velocity: a faster turn is not carried on; > 0");
+    }
+    void validate() const;
+};
+
+/// Predicts the pose of the next scan: pose_map_vehicle_init of eq. 2 and 3.
+class Prealignment
+{
+ public:
+    explicit Prealignment(const PrealignOptions& options = {});
+
+    /// Odometry as a pose in its own frame (CObservationOdometry).
+    void addOdometry(const Pose2& pose_odom_vehicle);
+    /// Odometry as the motion since the last one (CActionRobotMovement2D).
+    void addMotion(const Pose2& pose_prev_now);
+
+    /// @param stamp_s the scan's own.
+    [[nodiscard]] Pose2 predict(double stamp_s) const;
+
+    /// To be called after each scan with the pose that was settled on.
+    /// @param matched the pose was measured: only then does it give a velocity.
+    void settle(double stamp_s, const Pose2& pose_map_vehicle, bool matched);
+
+    /// Starts from here, at rest.
+    void reset(const Pose2& pose_map_vehicle);
+
+    [[nodiscard]] bool hasOdometry() const { return odometry_now_.has_value(); }
+
+ private:
+    [[nodiscard]] Pose2 carriedOn(double step_s) const;
+
+    PrealignOptions options_;
+    Pose2 pose_map_last_;
+    double last_stamp_s_ = 0;
+    bool started_ = false;
+    std::optional<Pose2> odometry_at_last_, odometry_now_;
+    bool odometry_is_new_ = false;
+    Pose2 velocity_;  ///< in the vehicle frame, per second
+};
+}  // namespace rtob

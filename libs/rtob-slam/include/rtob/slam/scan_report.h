@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/core/pose2.h>
+#include <rtob/slam/scan_filter.h>
+#include <rtob/slam/tracking.h>
+#include <Eigen/Core>
+
+namespace rtob
+{
+/// Where a scan's time went [s].
+struct StepTimes
+{
+    double filter_s = 0, prealign_s = 0, draw_s = 0, align_s = 0, anchor_s = 0, search_s = 0,
+           insert_s = 0;
+
+    [[nodiscard]] double total() const
+    {
+        return filter_s + prealign_s + draw_s + align_s + anchor_s + search_s + insert_s;
+    }
+};
+
+/// What became of one scan.
+struct ScanReport
+{
+    double stamp_s = 0;      ///< the log's own
+    double map_time_s = 0;   ///< MapClock
+    Pose2 pose_map_vehicle;  ///< measured, or predicted while not TRACKING
+    /// Of x, y, yaw relative to the local map; m^2, rad^2.
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    TrackingState state = TrackingState::Init;
+    FitVerdict verdict = FitVerdict::None;
+    double mean_squared_error_m2 = 0;
+    double paired_share = 0;  ///< [0, 1] of the points used
+    std::size_t pairs = 0;
+    bool inserted = false;
+    bool anchored = false;  ///< matched against old scans of this place
+    bool searched = false;  ///< ICP alone did not do: a window was searched
+    BeamCounts beams;
+    StepTimes times;
+};
+}  // namespace rtob

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <rtob/map/rtob_map.h>
+#include <rtob/slam/anchor.h>
+#include <rtob/slam/local_search.h>
+#include <rtob/slam/scan_report.h>
+#include <rtob/slam/slam_options.h>
+
+namespace rtob
+{
+/// RTOB-SLAM: takes what a vehicle senses, in order of arrival, and says where it is. One thread.
+/// process() allocates nothing once warm (the map's growth apart), locks nothing, logs nothing.
+class Slam
+{
+ public:
+    /// @throws std::invalid_argument naming a key out of its range
+    explicit Slam(const SlamOptions& options = {});
+
+    /// Takes any observation: odometry is kept for the next scan, a scan of a chosen laser is
+    /// processed, anything else is passed over.
+    /// @return the report of a scan, or null.
+    const ScanReport* observe(const mrpt::obs::CObservation& observation);
+
+    /// Takes the odometry of an action.
+    void observe(const mrpt::obs::CActionRobotMovement2D& motion);
+
+    /// One scan, in the steps of the paper's fig. 1.
+    const ScanReport& process(const mrpt::obs::CObservation2DRangeScan& scan);
+
+    /// Puts the vehicle elsewhere in the map, at rest.
+    void reset(const Pose2& pose_map_vehicle);
+
+    [[nodiscard]] const RtobMap& map() const { return map_; }
+    [[nodiscard]] const Pose2& pose() const { return report_.pose_map_vehicle; }
+    [[nodiscard]] TrackingState state() const { return tracking_.state(); }
+    [[nodiscard]] const SlamOptions& options() const { return options_; }
+    [[nodiscard]] bool hasOdometry() const { return prealignment_.hasOdometry(); }
+
+ private:
+    /// A scan's place in the map, and what speaks for it.
+    struct Match
+    {
+        Pose2 pose_map_vehicle;
+        IcpResult fit;
+        FitVerdict verdict = FitVerdict::None;
+    };
+
+    void begin(double stamp_s);
+    void filter(const mrpt::obs::CObservation2DRangeScan& scan);
+    [[nodiscard]] Pose2 prealign();
+    [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
+    [[nodiscard]] bool isDoubtful(const Match& match) const;
+    void searchAround(const Pose2& pose_map_init, Match& match);
+    void anchor(Match& match);
+    const ScanReport& startMap(const Pose2& pose_map_init);
+    const ScanReport& settle(const Match& match);
+    void report(const Match& match, TrackingState state);
+    void insert(const Match& match);
+
+    SlamOptions options_;
+    RtobMap map_;
+    SensorChoice sensor_;
+    ScanFilter filter_;
+    Prealignment prealignment_;
+    Icp icp_;
+    TrackingStateMachine tracking_;
+    InsertionPolicy insertion_;
+    Anchor anchor_;
+    LocalSearch search_;
+
+    Points points_vehicle_;  ///< of the scan in work
+    Points points_turned_;   ///< the same, with map axes, seen from the vehicle
+    Reference reference_;
+    ScanReport report_;
+};
+}  // namespace rtob

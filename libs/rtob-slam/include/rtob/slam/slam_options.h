@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/core/icp.h>
+#include <rtob/core/reference_draw.h>
+#include <rtob/core/time_density.h>
+#include <rtob/slam/anchor.h>
+#include <rtob/slam/fit_gate.h>
+#include <rtob/slam/insertion_policy.h>
+#include <rtob/slam/local_search.h>
+#include <rtob/slam/prealignment.h>
+#include <rtob/slam/scan_filter.h>
+#include <rtob/slam/sensor_choice.h>
+#include <rtob/slam/tracking.h>
+
+#include <cstdint>
+
+namespace rtob
+{
+struct SlamOptions
+{
+    SensorOptions sensor;
+    ScanFilterOptions scan_filter;
+    PrealignOptions prealign;
+    DensityOptions density;
+    DrawOptions draw;
+    IcpOptions icp;
+    FitGateOptions fit_gate;
+    SearchOptions search;
+    TrackingOptions tracking;
+    InsertionOptions insertion;
+    AnchorOptions anchor;
+    std::uint64_t seed = 1;
+
+    /// Calls visit(section, options) for each group, in the order of the pipeline: the only list of
+    /// the sections of an .ini.
+    template <class Self, class Visit>
+    static void sections(Self& s, Visit&& visit)
+    {
+        visit("Sensor", s.sensor);
+        visit("ScanFilter", s.scan_filter);
+        visit("Prealign", s.prealign);
+        visit("Density", s.density);
+        visit("Draw", s.draw);
+        visit("Icp", s.icp);
+        visit("FitGate", s.fit_gate);
+        visit("Search", s.search);
+        visit("Tracking", s.tracking);
+        visit("Insertion", s.insertion);
+        visit("Anchor", s.anchor);
+    }
+    void validate() const
+    {
+        sections(*this, [](const char*, const auto& options) { options.validate(); });
+    }
+};
+}  // namespace rtob

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/slam/fit_gate.h>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace rtob
+{
+/// What the pose is worth.
+enum class TrackingState
+{
+    Init,         ///< no usable scan yet
+    Tracking,     ///< matched
+    Degraded,     ///< the match is weak: the prediction holds, nothing is written
+    Lost,         ///< weak for too long: nothing is written
+    Relocalising  ///< a place in the map was found and is being confirmed
+};
+
+constexpr auto enum_names(TrackingState)
+{
+    return std::array<std::pair<TrackingState, std::string_view>, 5>{
+        {{TrackingState::Init, "INIT"},
+         {TrackingState::Tracking, "TRACKING"},
+         {TrackingState::Degraded, "DEGRADED"},
+         {TrackingState::Lost, "LOST"},
+         {TrackingState::Relocalising, "RELOCALISING"}}};
+}
+
+struct TrackingOptions
+{
+    int lost_after = 10;
+    int confirm_after = 3;
+
+    template <class Self, class Visit>
+    static void fields(Self& s, Visit&& visit)
+    {
+        visit("lost_after", s.lost_after, "weak scans in a row until LOST; >= 1");
+        visit("confirm_after", s.confirm_after, "good scans in a row until found again; >= 1");
+    }
+    void validate() const;
+};
+
+/// INIT -> TRACKING <-> DEGRADED -> LOST <-> RELOCALISING -> TRACKING.
+class TrackingStateMachine
+{
+ public:
+    explicit TrackingStateMachine(const TrackingOptions& options = {});
+
+    /// The state after a scan with this verdict.
+    TrackingState next(FitVerdict verdict);
+    /// The first usable scan has started the map.
+    void start();
+
+    [[nodiscard]] TrackingState state() const { return state_; }
+    [[nodiscard]] bool isLost() const
+    {
+        return state_ == TrackingState::Lost || state_ == TrackingState::Relocalising;
+    }
+
+ private:
+    TrackingOptions options_;
+    TrackingState state_ = TrackingState::Init;
+    int weak_in_a_row_ = 0, good_in_a_row_ = 0;
+};
+}  // namespace rtob

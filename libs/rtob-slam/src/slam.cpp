@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/obs/CObservationOdometry.h>
+#include <rtob/map/conversions.h>
+#include <rtob/slam/slam.h>
+#include <rtob/slam/turned_points.h>
+
+#include <chrono>
+#include <limits>
+
+namespace rtob
+{
+namespace
+{
+/// Adds the time until it goes out of scope.
+class StepTimer
+{
+ public:
+    explicit StepTimer(double& sum_s) : sum_s_(sum_s), begin_(Clock::now()) {}
+    ~StepTimer() { sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    StepTimer(const StepTimer&) = delete;
+    StepTimer& operator=(const StepTimer&) = delete;
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    double& sum_s_;
+    Clock::time_point begin_;
+};
+
+// What a scan without a match adds to the uncertainty of the pose, one sigma.
+constexpr double kBlindStep_m = 0.05, kBlindTurn_rad = 0.02;
+
+double stamp_of(const mrpt::obs::CObservation& observation)
+{
+    return observation.timestamp == INVALID_TIMESTAMP
+               ? std::numeric_limits<double>::quiet_NaN()
+               : mrpt::Clock::toDouble(observation.timestamp);
+}
+
+RtobMapOptions map_options(const SlamOptions& options)
+{
+    RtobMapOptions map;
+    map.density = options.density;
+    map.draw = options.draw;
+    map.seed = options.seed;
+    return map;
+}
+
+SlamOptions validated(const SlamOptions& options)
+{
+    options.validate();
+    return options;
+}
+}  // namespace
+
+Slam::Slam(const SlamOptions& options)
+    : options_(validated(options)),
+      map_(map_options(options)),
+      sensor_(options.sensor),
+      filter_(options.scan_filter),
+      prealignment_(options.prealign),
+      icp_(options.icp),
+      tracking_(options.tracking),
+      insertion_(options.insertion),
+      anchor_(options.anchor, options.icp, options.density, options.draw, options.seed),
+      search_(options.search)
+{
+}
+
+const ScanReport* Slam::observe(const mrpt::obs::CObservation& observation)
+{
+    if (const auto* odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation))
+        prealignment_.addOdometry(to_pose2(odometry->odometry));
+    const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation);
+    return scan != nullptr && sensor_.uses(*scan) ? &process(*scan) : nullptr;
+}
+
+void Slam::observe(const mrpt::obs::CActionRobotMovement2D& motion)
+{
+    prealignment_.addMotion(to_pose2(motion.poseChange->getMeanVal()));
+}
+
+const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
+{
+    begin(stamp_of(scan));
+    filter(scan);                            // 1. eq. 1
+    const Pose2 pose_map_init = prealign();  // 2. eq. 2 and 3
+    if (points_vehicle_.size() == 0) return settle({pose_map_init, {}, FitVerdict::None});
+    if (map_.scans().empty()) return startMap(pose_map_init);
+
+    Match match = matchAround(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
+    if (isDoubtful(match)) searchAround(pose_map_init, match);
+    if (match.verdict == FitVerdict::Good) anchor(match);
+    settle(match);
+    insert(match);   // 7.
+    return report_;  // 8.
+}
+
+void Slam::begin(double stamp_s)
+{
+    const TrackingState state = report_.state;
+    const Eigen::Matrix3d covariance = report_.covariance;
+    report_ = ScanReport();
+    report_.stamp_s = stamp_s;
+    report_.map_time_s = map_.tick(stamp_s);
+    report_.state = state;
+    report_.covariance = covariance;
+}
+
+void Slam::filter(const mrpt::obs::CObservation2DRangeScan& scan)
+{
+    const StepTimer timer(report_.times.filter_s);
+    report_.beams = filter_.filter(scan, sensor_.mountOf(scan), points_vehicle_);
+}
+
+Pose2 Slam::prealign()
+{
+    const StepTimer timer(report_.times.prealign_s);
+    return prealignment_.predict(report_.stamp_s);
+}
+
+Slam::Match Slam::matchAround(const Pose2& pose_map_init)
+{
+    Box seen;
+    {
+        const StepTimer timer(report_.times.draw_s);
+        seen = turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
+        map_.draw(pose_map_init, seen.grown(options_.icp.max_pair_distance_m), reference_);
+    }
+    const StepTimer timer(report_.times.align_s);
+    Match match;
+    match.fit = icp_.align(points_turned_.view(), reference_.points.view());
+    match.pose_map_vehicle = apply_correction(pose_map_init, match.fit.correction);
+    match.verdict = judge_fit(match.fit, options_.fit_gate);
+    return match;
+}
+
+/// Whether ICP from the guess alone is to be trusted.
+bool Slam::isDoubtful(const Match& match) const
+{
+    return search_.enabled() && (match.verdict == FitVerdict::Weak ||
+                                 match.verdict == FitVerdict::None || tracking_.isLost());
+}
+
+void Slam::searchAround(const Pose2& pose_map_init, Match& match)
+{
+    report_.searched = true;
+    Pose2 pose_map_found;
+    {
+        const StepTimer timer(report_.times.search_s);
+        turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
+        map_.draw(pose_map_init, std::nullopt, reference_);
+        pose_map_found =
+            search_.search(pose_map_init, points_turned_, reference_, tracking_.isLost());
+    }
+    const Match found = matchAround(pose_map_found);
+    if (found.verdict == FitVerdict::Good) match = found;
+}
+
+void Slam::anchor(Match& match)
+{
+    const StepTimer timer(report_.times.anchor_s);
+    const auto old_fit = anchor_.align(
+        map_.view(), report_.map_time_s, match.pose_map_vehicle, match.fit, points_vehicle_);
+    if (!old_fit) return;
+    report_.anchored = true;
+    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);
+    match.fit = *old_fit;
+}
+
+const ScanReport& Slam::startMap(const Pose2& pose_map_init)
+{
+    tracking_.start();
+    Match match{pose_map_init, {}, FitVerdict::Good};
+    match.fit.covariance.setZero();  // the map's frame is the first pose, by definition
+    report(match, tracking_.state());
+    insert(match);
+    return report_;
+}
+
+const ScanReport& Slam::settle(const Match& match)
+{
+    if (tracking_.state() == TrackingState::Init)
+        report(match, TrackingState::Init);
+    else
+        report(match, tracking_.next(match.verdict));
+    return report_;
+}
+
+void Slam::report(const Match& match, TrackingState state)
+{
+    const bool matched = is_match(match.verdict);
+    report_.state = state;
+    report_.verdict = match.verdict;
+    report_.pose_map_vehicle =
+        matched ? match.pose_map_vehicle : prealignment_.predict(report_.stamp_s);
+    if (matched)
+        report_.covariance = match.fit.covariance;
+    else
+        report_.covariance.diagonal() += Eigen::Vector3d(
+            kBlindStep_m * kBlindStep_m, kBlindStep_m * kBlindStep_m,
+            kBlindTurn_rad * kBlindTurn_rad);
+    report_.mean_squared_error_m2 = match.fit.mean_squared_error;
+    report_.paired_share = match.fit.paired_share;
+    report_.pairs = match.fit.pairs;
+    prealignment_.settle(report_.stamp_s, report_.pose_map_vehicle, matched);
+}
+
+/// Only what was matched while TRACKING enters the map.
+void Slam::insert(const Match& match)
+{
+    const StepTimer timer(report_.times.insert_s);
+    const bool may_write = report_.state == TrackingState::Tracking && is_match(match.verdict);
+    if (!may_write || !insertion_.wants(report_.map_time_s, report_.pose_map_vehicle)) return;
+    map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
+    insertion_.inserted(report_.map_time_s, report_.pose_map_vehicle);
+    anchor_.inserted(report_.pose_map_vehicle);
+    report_.inserted = true;
+}
+
+void Slam::reset(const Pose2& pose_map_vehicle)
+{
+    prealignment_.reset(pose_map_vehicle);
+    report_.pose_map_vehicle = pose_map_vehicle;
+}
+}  // namespace rtob
