@@ -107,6 +107,7 @@ void RtobMap::reserveFor(std::size_t more_points)
     if (scans().size() >= state_.scans_reserved)
         state_.scans_reserved = std::max(2 * scans().size(), kScanBlock);
     state_.scans.reserve(state_.scans_reserved, points_wanted);
+    state_.visits.reserve(state_.scans_reserved);
 }
 
 void RtobMap::appendScan(double time_s, const Pose2& pose_map_vehicle, std::size_t point_count)

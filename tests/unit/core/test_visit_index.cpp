@@ -164,3 +164,27 @@ TEST(VisitIndex, CostsLittleMoreThanAByteAScan)
     // 16 bytes for each 16 scans, and a seventh of that for the levels above.
     EXPECT_LT(static_cast<double>(walk.visits.bytes()), 1.2 * 100000);
 }
+
+TEST(VisitIndex, IsTheSameWithRoomReserved)
+{
+    constexpr std::size_t scans = 1500;
+    rtob::ScanTable table;
+    rtob::VisitIndex plain, reserved;
+    reserved.reserve(200);
+    rtob::Random random(3);
+    for (std::size_t i = 0; i < scans; ++i)
+    {
+        if (i == 100) reserved.reserve(1200);  // and grows past that
+        const double x = 10 * random.uniform(), y = 10 * random.uniform();
+        table.append(0.1 * static_cast<double>(i), {x, y, 0}, 1);
+        plain.append(x, y);
+        reserved.append(x, y);
+    }
+    EXPECT_EQ(reserved.bytes(), plain.bytes());
+    std::vector<ScanRange> from_plain, from_reserved;
+    const Box box = Box::around(5, 5, 3);
+    plain.query(box, table, scans, from_plain);
+    reserved.query(box, table, scans, from_reserved);
+    ASSERT_GT(from_plain.size(), 10u);
+    EXPECT_EQ(marked(from_reserved, scans), marked(from_plain, scans));
+}
