@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Laws, hand-computed figures and edges; whole worlds are in test_icp_worlds.cpp.
+#include <gtest/gtest.h>
+#include <near_pose.h>
+#include <rtob/core/icp.h>
+#include <rtob/core/random.h>
+#include <worlds.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+using namespace rtob;
+using rtob::test::IsNearPose;
+
+namespace
+{
+IcpOptions line_options()
+{
+    IcpOptions options;
+    options.metric = IcpMetric::PointToLine;
+    return options;
+}
+
+Points points_of(const std::vector<std::pair<float, float>>& all)
+{
+    Points points;
+    for (const auto& [x, y] : all) points.add(x, y);
+    return points;
+}
+
+/// Two walls of 10 m, 2 m apart, points every 0.05 m, turned about the vehicle in the middle.
+Points corridor(double direction_rad)
+{
+    Points points;
+    for (int i = -100; i <= 100; ++i)
+        for (const float y : {-1.0f, 1.0f}) points.add(0.05f * static_cast<float>(i), y);
+    return test::moved(points, {0, 0, direction_rad});
+}
+
+test::Matching room_matching()
+{
+    const auto world = test::worlds()[0];
+    Pose2 guess = world.pose_map_vehicle;
+    guess.x += 0.15;
+    guess.y -= 0.1;
+    guess.yaw += 0.05;
+    return test::matching(world, guess);
+}
+
+Points shuffled(const Points& points, Random& random)
+{
+    Points mixed = points;
+    for (std::size_t i = points.size(); i-- > 1;)
+    {
+        const std::size_t j = random.below(i + 1);
+        std::swap(mixed.x[i], mixed.x[j]);
+        std::swap(mixed.y[i], mixed.y[j]);
+    }
+    return mixed;
+}
+}  // namespace
+
+TEST(Icp, ErrorAndShareAreThoseComputedByHand)
+{
+    // The reference is the scan, 0.1 m farther out on all four sides: nothing can be gained, and
+    // each of the four pairs is 0.1 m long. The fifth point has no neighbour.
+    const Points scan = points_of({{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {5, 5}});
+    const Points reference = points_of({{1.1f, 0}, {-1.1f, 0}, {0, 1.1f}, {0, -1.1f}});
+    const auto result = Icp().align(scan.view(), reference.view());
+    EXPECT_THAT(result.correction, IsNearPose(Pose2{}, 1e-7, 1e-7));
+    EXPECT_EQ(result.pairs, 4u);
+    EXPECT_DOUBLE_EQ(result.paired_share, 0.8);
+    EXPECT_NEAR(result.mean_squared_error, 0.01, 1e-7);
+}
+
+TEST(Icp, OneStepIsTheLeastSquaresMotion)
+{
+    // A turn of the square by 0.1 rad about its centre and a shift: the closed form finds both.
+    const Points scan = points_of({{1, 1}, {1, -1}, {-1, 1}, {-1, -1}});
+    const Pose2 truth{0.02, -0.03, 0.1};
+    IcpOptions options;
+    options.iterations = 1;
+    const auto result = Icp(options).align(scan.view(), test::moved(scan, truth).view());
+    EXPECT_THAT(result.correction, IsNearPose(truth, 1e-6, 1e-6));
+    EXPECT_EQ(result.iterations, 1);
+}
+
+TEST(Icp, DoesAllIterationsUnlessToldToStop)
+{
+    const auto m = room_matching();
+    EXPECT_EQ(Icp().align(m.scan.view(), m.reference.view()).iterations, 50);
+    IcpOptions stopping;
+    stopping.stop_step_m = 1e-4;
+    const auto result = Icp(stopping).align(m.scan.view(), m.reference.view());
+    EXPECT_LT(result.iterations, 50);
+    EXPECT_THAT(result.correction, IsNearPose(m.truth, 1e-3, 1e-3));
+}
+
+TEST(Icp, TheOrderOfPointsDoesNotMatter)
+{
+    const auto m = room_matching();
+    Random random(1);
+    for (const auto& options : {IcpOptions{}, line_options()})
+    {
+        Icp icp(options);
+        const auto once = icp.align(m.scan.view(), m.reference.view());
+        const auto mixed =
+            icp.align(shuffled(m.scan, random).view(), shuffled(m.reference, random).view());
+        EXPECT_THAT(mixed.correction, IsNearPose(once.correction, 1e-5, 1e-5));
+        EXPECT_EQ(mixed.pairs, once.pairs);
+        EXPECT_NEAR(mixed.mean_squared_error, once.mean_squared_error, 1e-8);
+    }
+}
+
+TEST(Icp, ShiftsAndTurnsOfTheFrameCarryOver)
+{
+    const auto m = room_matching();
+    for (const Pose2& frame : {Pose2{3, -2, 0}, Pose2{0, 0, 2.5}, Pose2{-1, 4, -1}})
+        for (const auto& options : {IcpOptions{}, line_options()})
+        {
+            const auto here = Icp(options).align(m.scan.view(), m.reference.view());
+            const auto there = Icp(options).align(
+                test::moved(m.scan, frame).view(), test::moved(m.reference, frame).view());
+            EXPECT_THAT(
+                there.correction,
+                IsNearPose(compose(compose(frame, here.correction), inverse(frame)), 1e-3, 1e-4));
+        }
+}
+
+TEST(Icp, NothingToMatchLeavesTheGuess)
+{
+    const Points none, one = points_of({{1, 0}}), room = room_matching().reference;
+    for (const auto& options : {IcpOptions{}, line_options()})
+        for (const auto& [scan, reference] :
+             {std::pair(none, none), std::pair(none, room), std::pair(room, none),
+              std::pair(one, one), std::pair(one, room)})
+        {
+            const auto result = Icp(options).align(scan.view(), reference.view());
+            EXPECT_THAT(result.correction, IsNearPose(Pose2{}, 0, 0));
+            EXPECT_LE(result.paired_share, 1);
+            EXPECT_TRUE(std::isfinite(result.mean_squared_error));
+            EXPECT_TRUE(result.covariance.allFinite());
+        }
+}
+
+TEST(Icp, ACorridorIsUncertainAlongItself)
+{
+    for (const double direction_rad : {0.0, 0.5, -1.2})
+        for (const auto& options : {IcpOptions{}, line_options()})
+        {
+            const Points walls = corridor(direction_rad);
+            const auto result = Icp(options).align(walls.view(), walls.view());
+            ASSERT_TRUE(result.covariance.allFinite());
+            const Eigen::Matrix2d position = result.covariance.topLeftCorner<2, 2>();
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(position);
+            EXPECT_GE(axes.eigenvalues()(1), 10 * axes.eigenvalues()(0));
+            const Eigen::Vector2d along(std::cos(direction_rad), std::sin(direction_rad));
+            EXPECT_GT(std::abs(axes.eigenvectors().col(1).dot(along)), 0.999);
+        }
+}
+
+TEST(Icp, ARoomIsCertainInAllDirections)
+{
+    const auto m = room_matching();
+    const auto result = Icp().align(m.scan.view(), m.reference.view());
+    EXPECT_LT(result.covariance(0, 0), 10 * result.covariance(1, 1));
+    EXPECT_LT(result.covariance(1, 1), 10 * result.covariance(0, 0));
+    EXPECT_TRUE(result.covariance.isApprox(result.covariance.transpose()));
+}
+
+TEST(Icp, APriorHoldsTheDirectionThatTheWallsLeaveOpen)
+{
+    // The guess is off by 0.02 m along the corridor, less than half the points' step, and 0.1 m
+    // across: left alone, the points pull both to 0.
+    const Points reference = corridor(0), scan = test::moved(reference, {0.02, 0.1, 0});
+    const auto free = Icp(line_options()).align(scan.view(), reference.view());
+    EXPECT_THAT(free.correction, IsNearPose(Pose2{-0.02, -0.1, 0}, 2e-3, 1e-3));
+    CorrectionPrior prior;
+    prior.information(0, 0) = 1e3;
+    for (const auto& options : {IcpOptions{}, line_options()})
+    {
+        const auto held = Icp(options).align(scan.view(), reference.view(), prior);
+        EXPECT_NEAR(held.correction.y, -0.1, 2e-3);
+        // 402 points pull along with at most 1 each, the prior with 1000.
+        EXPECT_LT(std::abs(held.correction.x), 0.02 * 402 / 1402.0 + 1e-3);
+    }
+}
+
+TEST(IcpOptions, RefusesWhatIsOutOfRange)
+{
+    const auto refused = [](const auto& change)
+    {
+        IcpOptions options;
+        change(options);
+        EXPECT_THROW(Icp{options}, std::invalid_argument);
+    };
+    refused([](auto& o) { o.iterations = 0; });
+    refused([](auto& o) { o.max_pair_distance_m = 0; });
+    refused([](auto& o) { o.final_pair_distance_m = 0.31; });
+    refused([](auto& o) { o.final_pair_distance_m = 0; });
+    refused([](auto& o) { o.kernel_scale_m = 0; });
+    refused([](auto& o) { o.line_radius_m = 0.31; });
+    refused([](auto& o) { o.stop_step_m = -1; });
+}
