@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/run_job.h"
+
+#include <rtob/core/enum_names.h>
+#include <sys/resource.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "run/map_files.h"
+#include "run/packed_object.h"
+#include "run/scan_files.h"
+#include "run/simple_map_recorder.h"
+
+namespace rtob
+{
+namespace
+{
+using Clock = ProgressLine::Clock;
+
+double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double peak_memory_mb()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
+}
+
+void write_text(const std::string& file, const std::string& text)
+{
+    AtomicFile out(file);
+    out.stream() << text;
+    out.commit();
+}
+
+/// Keeps what the results need of each scan; the folder is made with the first one, so that a log
+/// without scans leaves nothing behind.
+class ScanRecorder
+{
+ public:
+    ScanRecorder(const RunJob& job, const OutputFolder& folder, const Slam& slam)
+        : job_(job), folder_(folder), slam_(slam), sensor_(job.config.slam.sensor)
+    {
+    }
+
+    void add(const mrpt::obs::CObservation2DRangeScan& scan, const ScanReport& report)
+    {
+        if (!scan_files_)
+        {
+            folder_.create();
+            scan_files_ = std::make_unique<ScanFiles>(folder_);
+        }
+        counters_.add(report);
+        scan_files_->add(report);
+        path_.push_back(report.pose_map_vehicle);
+        const bool is_in_map = poses_vehicle_laser_.size() < slam_.map().scans().size();
+        if (!is_in_map) return;
+        const auto mount = sensor_.mountOf(scan);
+        poses_vehicle_laser_.push_back({mount.x(), mount.y(), mount.yaw()});
+        if (job_.wants_simple_map) simple_map_.add(scan, mount, report);
+    }
+
+    [[nodiscard]] const RunCounters& counters() const { return counters_; }
+
+    /// @return the resolution of the map's picture
+    double write()
+    {
+        scan_files_->commit();
+        if (job_.wants_simple_map)
+            write_packed_object(folder_.file("map.simplemap"), simple_map_.map());
+        return write_map_files(
+            folder_,
+            {slam_.map(), poses_vehicle_laser_, path_, job_.config.run.map_resolution_m, title()});
+    }
+
+ private:
+    [[nodiscard]] std::string title() const
+    {
+        const auto name = std::filesystem::path(job_.log).filename().string();
+        return name + ", " + std::to_string(counters_.scans()) + " scans, " +
+               std::to_string(static_cast<long long>(counters_.pathLength() + 0.5)) + " m, " +
+               std::string(name_of(job_.config.slam.density.density)) + ", seed " +
+               std::to_string(job_.config.run.seed);
+    }
+
+    const RunJob& job_;
+    const OutputFolder& folder_;
+    const Slam& slam_;
+    SensorChoice sensor_;
+    std::unique_ptr<ScanFiles> scan_files_;
+    RunCounters counters_;
+    std::vector<Pose2> path_, poses_vehicle_laser_;
+    SimpleMapRecorder simple_map_;
+};
+
+void write_config(const OutputFolder& folder, const RunConfig& config)
+{
+    AtomicFile out(folder.file("config.effective.ini"));
+    out.stream() << "# Every option of this run, by rtob-slam " RTOB_VERSION
+                    "; given with -c it repeats the run.\n\n";
+    save_run_config(out.stream(), config);
+    out.commit();
+}
+
+RunSummary summary_of(
+    const RunJob& job, const Slam& slam, const OfflineRun& run, const RunCounters& counters)
+{
+    RunSummary summary;
+    summary.log = job.log;
+    summary.config_file = job.config_file;
+    summary.config = job.config;
+    summary.limits = job.limits;
+    summary.run = run;
+    summary.counters = counters;
+    summary.clock = slam.map().clock().anomalies();
+    summary.final_state = slam.state();
+    summary.has_odometry = slam.hasOdometry();
+    summary.map_points = slam.map().size();
+    summary.map_scans = slam.map().scans().size();
+    summary.map_bytes = slam.map().bytesInUse();
+    return summary;
+}
+}  // namespace
+
+RunSummary do_run(const RunJob& job, ProgressLine& progress, const std::function<bool()>& stop)
+{
+    const OutputFolder folder(job.folder, job.may_overwrite);
+    const auto log = open_log(job.log);
+    const auto start = Clock::now();
+    Slam slam(job.config.slam);
+    ScanRecorder recorder(job, folder, slam);
+
+    const auto run = run_log(
+        *log, slam, job.limits,
+        [&](const auto& scan, const ScanReport& report)
+        {
+            recorder.add(scan, report);
+            progress.update(
+                {log->progress(), recorder.counters().scans(), report.map_time_s,
+                 seconds_since(start), report.state},
+                Clock::now());
+        },
+        stop);
+    progress.clear();
+    if (run.scans == 0) throw std::runtime_error(no_scans_message(job.log, run));
+
+    RunSummary summary = summary_of(job, slam, run, recorder.counters());
+    summary.matching_s = seconds_since(start);
+    summary.matching_memory_mb = peak_memory_mb();
+    summary.map_resolution_m = recorder.write();
+    write_config(folder, job.config);
+    summary.total_s = seconds_since(start);
+    summary.memory_mb = peak_memory_mb();
+    write_text(folder.file("summary.json"), summary_json(summary));
+    write_text(folder.file("summary.txt"), summary_text(summary));
+    return summary;
+}
+}  // namespace rtob

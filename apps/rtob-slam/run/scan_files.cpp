@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/scan_files.h"
+
+#include <rtob/core/enum_names.h>
+#include <rtob/io/tum.h>
+#include <rtob/map/option_text.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "run/run_counters.h"
+
+namespace rtob
+{
+namespace
+{
+/// Fixed decimals, the same bytes in any locale.
+std::string fixed(double value, int decimals)
+{
+    std::array<char, 400> text;  // the largest double has 309 digits before the point
+    const auto end = std::to_chars(
+        text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end.ptr};
+}
+
+/// A stamp that is no number would make the files unreadable.
+double written_stamp(const ScanReport& report)
+{
+    return std::isfinite(report.stamp_s) ? report.stamp_s : 0;
+}
+
+std::string stamp_text(const ScanReport& report)
+{
+    return fixed(written_stamp(report), 6);
+}
+
+void write_pose_line(std::ostream& out, const ScanReport& report)
+{
+    const Pose2& pose = report.pose_map_vehicle;
+    const auto& cov = report.covariance;
+    out << stamp_text(report) << ',' << fixed(report.map_time_s, 6) << ',' << fixed(pose.x, 6)
+        << ',' << fixed(pose.y, 6) << ',' << fixed(pose.yaw, 9) << ',' << name_of(report.state)
+        << ',' << name_of(fate_of(report));
+    for (const double term : {cov(0, 0), cov(0, 1), cov(0, 2), cov(1, 1), cov(1, 2), cov(2, 2)})
+        out << ',' << option_text(term);
+    out << ',' << option_text(report.mean_squared_error_m2) << ',' << fixed(report.paired_share, 4)
+        << ',' << report.pairs << ',' << report.beams.used << ',' << report.inserted << ','
+        << report.anchored << ',' << report.searched << '\n';
+}
+
+void write_time_line(std::ostream& out, const ScanReport& report)
+{
+    const StepTimes& t = report.times;
+    out << stamp_text(report);
+    for (const double step_s :
+         {t.total(), t.filter_s, t.prealign_s, t.draw_s, t.align_s, t.anchor_s, t.search_s,
+          t.insert_s})
+        out << ',' << fixed(1e3 * step_s, 4);
+    out << '\n';
+}
+}  // namespace
+
+ScanFiles::ScanFiles(const OutputFolder& folder)
+    : trajectory_(folder.file("trajectory.tum")),
+      poses_(folder.file("poses.csv")),
+      timing_(folder.file("timing.csv"))
+{
+    poses_.stream() << "stamp_s,map_time_s,x_m,y_m,yaw_rad,state,scan,cov_x_x_m2,cov_x_y_m2,"
+                       "cov_x_yaw_m_rad,cov_y_y_m2,cov_y_yaw_m_rad,cov_yaw_yaw_rad2,"
+                       "mean_squared_error_m2,paired_share,pairs,beams_used,inserted,anchored,"
+                       "searched\n";
+    timing_.stream() << "stamp_s,total_ms,filter_ms,prealign_ms,draw_ms,align_ms,anchor_ms,"
+                        "search_ms,insert_ms\n";
+}
+
+void ScanFiles::add(const ScanReport& report)
+{
+    write_tum(trajectory_.stream(), {{written_stamp(report), report.pose_map_vehicle}});
+    write_pose_line(poses_.stream(), report);
+    write_time_line(timing_.stream(), report);
+}
+
+void ScanFiles::commit()
+{
+    trajectory_.commit();
+    poses_.commit();
+    timing_.commit();
+}
+}  // namespace rtob

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace rtob
+{
+/// Does what the parsed flags say and returns the exit code.
+using VerbAction = std::function<int()>;
+
+/// Each adds its flags to its subcommand and returns its action, to be called after parsing.
+VerbAction declare_run(CLI::App& command);
+VerbAction declare_eval(CLI::App& command);
+VerbAction declare_options(CLI::App& command);
+}  // namespace rtob
