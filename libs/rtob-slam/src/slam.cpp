@@ -36,6 +36,13 @@ double stamp_of(const mrpt::obs::CObservation& observation)
                : mrpt::Clock::toDouble(observation.timestamp);
 }
 
+/// No match of so few points can pass the gate; as the first scan they would be a map that nothing
+/// fits.
+bool is_too_small(const Points& points_vehicle, const FitGateOptions& gate)
+{
+    return points_vehicle.size() < static_cast<std::size_t>(gate.min_pairs);
+}
+
 RtobMapOptions map_options(const SlamOptions& options)
 {
     RtobMapOptions map;
@@ -84,7 +91,8 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     begin(stamp_of(scan));
     filter(scan);                            // 1. eq. 1
     const Pose2 pose_map_init = prealign();  // 2. eq. 2 and 3
-    if (points_vehicle_.size() == 0) return settle({pose_map_init, {}, FitVerdict::None});
+    if (is_too_small(points_vehicle_, options_.fit_gate))
+        return settle({pose_map_init, {}, FitVerdict::None});
     if (map_.scans().empty()) return startMap(pose_map_init);
 
     Match match = matchAround(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
