@@ -25,7 +25,7 @@ ScanFate fate_of(const ScanReport& report)
         case FitVerdict::None:
             break;
     }
-    return ScanFate::NothingNear;
+    return ScanFate::NoPair;
 }
 
 void RunCounters::add(const ScanReport& report)
@@ -50,7 +50,7 @@ void RunCounters::add(const ScanReport& report)
 
 std::uint64_t RunCounters::rejected() const
 {
-    return with(ScanFate::NoUsableBeam) + with(ScanFate::WeakMatch) + with(ScanFate::NothingNear);
+    return with(ScanFate::NoUsableBeam) + with(ScanFate::WeakMatch) + with(ScanFate::NoPair);
 }
 
 std::uint64_t RunCounters::lost() const

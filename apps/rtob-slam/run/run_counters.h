@@ -16,7 +16,7 @@ enum class ScanFate
     Matched,       ///< fits the map
     NewGround,     ///< fits as far as it overlaps the map
     WeakMatch,     ///< rejected: the prediction holds
-    NothingNear,   ///< rejected: nothing of the map to compare with
+    NoPair,        ///< rejected: too few points, or nothing of the map near them
     NoUsableBeam,  ///< rejected: the filter left nothing
 };
 
@@ -27,7 +27,7 @@ constexpr auto enum_names(ScanFate)
          {ScanFate::Matched, "matched"},
          {ScanFate::NewGround, "new_ground"},
          {ScanFate::WeakMatch, "weak_match"},
-         {ScanFate::NothingNear, "nothing_near"},
+         {ScanFate::NoPair, "no_pair"},
          {ScanFate::NoUsableBeam, "no_usable_beam"}}};
 }
 

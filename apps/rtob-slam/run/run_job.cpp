@@ -78,12 +78,11 @@ class ScanRecorder
     }
 
  private:
+    /// The picture itself adds path length and number of scans.
     [[nodiscard]] std::string title() const
     {
         const auto name = std::filesystem::path(job_.log).filename().string();
-        return name + ", " + std::to_string(counters_.scans()) + " scans, " +
-               std::to_string(static_cast<long long>(counters_.pathLength() + 0.5)) + " m, " +
-               std::string(name_of(job_.config.slam.density.density)) + ", seed " +
+        return name + ", " + std::string(name_of(job_.config.slam.density.density)) + ", seed " +
                std::to_string(job_.config.run.seed);
     }
 
