@@ -14,6 +14,14 @@ constexpr double kMinShare = 0.1;      // of the tries that a gate is expected t
 constexpr std::size_t kSpare = 16;     // more than the gate's share asks for: saves a last round
 constexpr std::size_t kMaxTries = 16;  // a point, independent draws
 constexpr std::size_t kPrefetchAhead = 32;  // picks; they may lie anywhere in a large map
+
+inline void prefetch_pick(
+    const PointsView& points_map, const std::vector<std::uint64_t>& picked, std::size_t pick)
+{
+    if (pick >= picked.size()) return;
+    __builtin_prefetch(points_map.x + picked[pick]);
+    __builtin_prefetch(points_map.y + picked[pick]);
+}
 }  // namespace
 
 void DrawOptions::validate() const
@@ -105,7 +113,7 @@ void ReferenceDraw::dropOutside(const Box& gate, const PointsView& points_map)
     std::size_t kept = 0;
     for (std::size_t k = 0; k < picked_.size(); ++k)
     {
-        prefetch(points_map, k + kPrefetchAhead);
+        prefetch_pick(points_map, picked_, k + kPrefetchAhead);
         const std::uint64_t i = picked_[k];
         if (gate.contains(points_map.x[i], points_map.y[i])) picked_[kept++] = i;
     }
@@ -123,13 +131,6 @@ void ReferenceDraw::keepEvenly(std::size_t count, Random& random)
         picked_[k] = picked_[std::min(
             picked_.size() - 1, static_cast<std::size_t>(start + step * static_cast<double>(k)))];
     picked_.resize(count);
-}
-
-void ReferenceDraw::prefetch(const PointsView& points_map, std::size_t pick) const
-{
-    if (pick >= picked_.size()) return;
-    __builtin_prefetch(points_map.x + picked_[pick]);
-    __builtin_prefetch(points_map.y + picked_[pick]);
 }
 
 /// The point at a place of the envelope, which lies in stretch s.
@@ -209,35 +210,44 @@ void ReferenceDraw::makeFlatUnits(const ScanTable& scans)
 void ReferenceDraw::pickStratified(std::size_t count, Random& random)
 {
     if (units_weight_ <= 0) return;
+    picked_.resize(count);
     const double step = units_weight_ / static_cast<double>(count);
     const double start = step * random.uniform();
-    std::size_t u = 0;
-    for (std::size_t k = 0; k < count; ++k)
+    std::size_t k = 0;
+    for (std::size_t u = 0; u < units_.size(); ++u)
     {
-        const double position = start + step * static_cast<double>(k);
-        while (u + 1 < units_.size() && units_[u + 1].weight_before <= position) ++u;
         const Unit& unit = units_[u];
-        const double weight =
-            (u + 1 < units_.size() ? units_[u + 1].weight_before : units_weight_) -
-            unit.weight_before;
-        const double share = weight > 0 ? (position - unit.weight_before) / weight : 0.0;
-        const auto point = static_cast<std::uint64_t>(unit.begin + share * (unit.end - unit.begin));
-        const auto last = static_cast<std::uint64_t>(std::ceil(unit.end)) - 1;
-        picked_.push_back(std::min(point, last));
+        const bool is_last = u + 1 == units_.size();
+        const double weight_end = is_last ? units_weight_ : units_[u + 1].weight_before;
+        if (weight_end <= unit.weight_before) continue;
+        const double points_per_weight =
+            (unit.end - unit.begin) / (weight_end - unit.weight_before);
+        const auto last_point = static_cast<std::uint64_t>(std::ceil(unit.end)) - 1;
+        for (; k < count; ++k)
+        {
+            const double position = start + step * static_cast<double>(k);
+            if (position >= weight_end && !is_last) break;
+            const double point = unit.begin + (position - unit.weight_before) * points_per_weight;
+            picked_[k] = std::min(last_point, static_cast<std::uint64_t>(point));
+        }
     }
+    picked_.resize(k);
 }
 
 /// Adds what is picked to the reference.
 void ReferenceDraw::gather(const PointsView& points_map, Reference& reference) const
 {
+    const std::size_t before = reference.indices.size(), size = before + picked_.size();
+    reference.indices.resize(size);
+    reference.points.x.resize(size);
+    reference.points.y.resize(size);
     for (std::size_t k = 0; k < picked_.size(); ++k)
     {
-        prefetch(points_map, k + kPrefetchAhead);
+        prefetch_pick(points_map, picked_, k + kPrefetchAhead);
         const std::uint64_t i = picked_[k];
-        reference.indices.push_back(i);
-        reference.points.add(
-            static_cast<float>(points_map.x[i] - reference.origin_x),
-            static_cast<float>(points_map.y[i] - reference.origin_y));
+        reference.indices[before + k] = i;
+        reference.points.x[before + k] = static_cast<float>(points_map.x[i] - reference.origin_x);
+        reference.points.y[before + k] = static_cast<float>(points_map.y[i] - reference.origin_y);
     }
 }
 }  // namespace rtob

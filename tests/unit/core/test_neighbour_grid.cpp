@@ -4,6 +4,7 @@
 #include <rtob/core/random.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -139,6 +140,19 @@ TEST(NeighbourGrid, FindsNothingWhereNothingIs)
     EXPECT_EQ(grid.nearest(0.1f, 0, 0.05f).index, NeighbourGrid::kNone);
     EXPECT_EQ(grid.nearest(0.3f, 0, 0.3f).index, 0);  // the radius itself is in
     EXPECT_EQ(grid.nearest(0, 0, 0).index, 0);
+}
+
+TEST(NeighbourGrid, FindsNothingWhereNoNumberIs)
+{
+    Points points;
+    points.add(0, 0);
+    NeighbourGrid grid;
+    grid.build(points.view(), 0.3);
+    for (const float v : {std::nanf(""), INFINITY, -INFINITY, 1e30f, -1e30f})
+    {
+        EXPECT_EQ(grid.nearest(v, 0, 0.3f).index, NeighbourGrid::kNone);
+        EXPECT_EQ(grid.nearest(0, v, 0.3f).index, NeighbourGrid::kNone);
+    }
 }
 
 TEST(NeighbourGrid, KeepsEachPointAndItsOrigin)

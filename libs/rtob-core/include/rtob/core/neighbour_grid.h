@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <rtob/core/points.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace rtob
@@ -16,6 +18,7 @@ class NeighbourGrid
 {
  public:
     static constexpr std::int32_t kNone = -1;
+    static constexpr float kFarthest_m = 1e6f;  ///< nothing is found beyond
 
     struct Neighbour
     {
@@ -26,7 +29,7 @@ class NeighbourGrid
     /// Sorts the points into cells. @param max_radius_m the largest radius that will be asked for.
     void build(const PointsView& points, double max_radius_m);
 
-    /// The nearest point within radius_m <= max_radius_m; of equally near ones the first sorted.
+    /// The nearest point within radius_m <= max_radius_m; of equally near ones always the same.
     [[nodiscard]] Neighbour nearest(float x, float y, float radius_m) const;
 
     /// Calls visit(index) for each point whose cell may hold points within radius_m.
@@ -45,9 +48,13 @@ class NeighbourGrid
  private:
     [[nodiscard]] std::int32_t cellOf(float v) const;
 
-    /// Calls visit(begin, end) for each run of sorted points in the cells around (x, y).
+    [[nodiscard]] static float nextAbove(float v);
+    void nearestInRow(std::int32_t row, float x, float y, float reach_m, Neighbour& best) const;
+
+    /// Calls visit(begin, end) for the one or two runs of sorted points in the row's cells within
+    /// radius_m of x.
     template <class Visit>
-    void forEachRun(float x, float y, float radius_m, Visit&& visit) const;
+    void forEachRunOfRow(std::int32_t row, float x, float radius_m, Visit&& visit) const;
 
     float cells_per_metre_ = 1;
     std::int32_t side_ = 1;                  ///< cells in a row of the table, a power of two
@@ -65,42 +72,48 @@ inline std::int32_t NeighbourGrid::cellOf(float v) const
 }
 
 template <class Visit>
-void NeighbourGrid::forEachRun(float x, float y, float radius_m, Visit&& visit) const
+void NeighbourGrid::forEachRunOfRow(std::int32_t row, float x, float radius_m, Visit&& visit) const
 {
-    const std::int32_t x0 = cellOf(x - radius_m), x1 = cellOf(x + radius_m);
-    const std::int32_t y0 = cellOf(y - radius_m), y1 = cellOf(y + radius_m);
     const std::int32_t mask = side_ - 1;
-    const std::int32_t first = x0 & mask, last = x1 & mask;
-    for (std::int32_t row = y0; row <= y1; ++row)
+    const std::int32_t first = cellOf(x - radius_m) & mask, last = cellOf(x + radius_m) & mask;
+    const std::uint32_t* begin = cell_begin_.data() + (row & mask) * side_;
+    if (first <= last)
+        visit(begin[first], begin[last + 1]);
+    else  // the run crosses the table's edge
     {
-        const std::uint32_t* begin = cell_begin_.data() + (row & mask) * side_;
-        if (first <= last)
-            visit(begin[first], begin[last + 1]);
-        else  // the run crosses the table's edge
-        {
-            visit(begin[first], begin[side_]);
-            visit(begin[0], begin[last + 1]);
-        }
+        visit(begin[first], begin[side_]);
+        visit(begin[0], begin[last + 1]);
     }
 }
 
 template <class Visit>
 void NeighbourGrid::forEachNear(float x, float y, float radius_m, Visit&& visit) const
 {
-    forEachRun(
-        x, y, radius_m,
-        [&](std::uint32_t begin, std::uint32_t end)
-        {
-            for (std::uint32_t i = begin; i < end; ++i) visit(static_cast<std::int32_t>(i));
-        });
+    const std::int32_t end_row = cellOf(y + radius_m) + 1;
+    for (std::int32_t row = cellOf(y - radius_m); row < end_row; ++row)
+        forEachRunOfRow(
+            row, x, radius_m,
+            [&](std::uint32_t begin, std::uint32_t end)
+            {
+                for (std::uint32_t i = begin; i < end; ++i) visit(static_cast<std::int32_t>(i));
+            });
 }
 
-inline NeighbourGrid::Neighbour NeighbourGrid::nearest(float x, float y, float radius_m) const
+/// The next larger float; v >= 0.
+inline float NeighbourGrid::nextAbove(float v)
 {
-    // `<` keeps the first of equals; the start value lets a point at exactly the radius in.
-    Neighbour best{kNone, std::nextafter(radius_m * radius_m, 1e30f)};
-    forEachRun(
-        x, y, radius_m,
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &v, sizeof(bits));
+    ++bits;
+    std::memcpy(&v, &bits, sizeof(bits));
+    return v;
+}
+
+inline void NeighbourGrid::nearestInRow(
+    std::int32_t row, float x, float y, float reach_m, Neighbour& best) const
+{
+    forEachRunOfRow(
+        row, x, reach_m,
         [&](std::uint32_t begin, std::uint32_t end)
         {
             for (std::uint32_t i = begin; i < end; ++i)
@@ -112,6 +125,34 @@ inline NeighbourGrid::Neighbour NeighbourGrid::nearest(float x, float y, float r
                 best.squared_distance = nearer ? d2 : best.squared_distance;
             }
         });
+}
+
+inline NeighbourGrid::Neighbour NeighbourGrid::nearest(float x, float y, float radius_m) const
+{
+    // Such cells have no number; this is also true of what is no number.
+    if (!(std::abs(x) < kFarthest_m && std::abs(y) < kFarthest_m)) return {};
+    // `<` keeps the first of equals; the start value lets a point at exactly the radius in.
+    Neighbour best{kNone, nextAbove(radius_m * radius_m)};
+    const std::int32_t middle = cellOf(y);
+    std::int32_t low = cellOf(y - radius_m), high = cellOf(y + radius_m);
+    float reach_m = radius_m;
+    const auto look = [&](std::int32_t row)
+    {
+        const std::int32_t before = best.index;
+        nearestInRow(row, x, y, reach_m, best);
+        if (best.index == before) return;
+        // A little more than the distance, so that rounding loses nothing.
+        reach_m = std::min(radius_m, std::sqrt(best.squared_distance) * 1.00001f);
+        low = cellOf(y - reach_m);
+        high = cellOf(y + reach_m);
+    };
+    // Outwards from the middle row: what is found there saves the rows and cells farther out.
+    look(middle);
+    for (std::int32_t k = 1; middle - k >= low || middle + k <= high; ++k)  // 5 at most
+    {
+        if (middle + k <= high) look(middle + k);
+        if (middle - k >= low) look(middle - k);
+    }
     return best;
 }
 }  // namespace rtob

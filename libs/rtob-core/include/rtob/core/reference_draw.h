@@ -93,7 +93,6 @@ class ReferenceDraw
         const MapView& map, const TimeDensity& density, const Moment& now, Random& random);
     void makeFlatUnits(const ScanTable& scans);
     void pickStratified(std::size_t count, Random& random);
-    void prefetch(const PointsView& points_map, std::size_t pick) const;
     void gather(const PointsView& points_map, Reference& reference) const;
 
     DrawOptions options_;
