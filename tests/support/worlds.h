@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <room.h>
+#include <rtob/core/icp.h>
 
 #include <string>
 #include <vector>
@@ -58,6 +59,17 @@ inline std::vector<World> worlds()
 {
     return {
         {"room", room_4x3(), {1.6, 1.2, 0.4}}, room_with_circle(), three_cylinders(), l_shape()};
+}
+
+/// Sec. 2.1.3 and 2.3.1, whatever the defaults are.
+inline IcpOptions paper_icp_options()
+{
+    IcpOptions options;
+    options.iterations = 50;
+    options.max_pair_distance_m = options.final_pair_distance_m = 0.3;
+    options.metric = IcpMetric::PointToPoint;
+    options.kernel = RobustKernel::None;
+    return options;
 }
 
 /// What ICP is given for a guess: scan and reference seen from the guessed position, map axes.

@@ -77,7 +77,8 @@ TEST(Allocations, AreCounted)
 TEST(Allocations, NoneInDrawAndAlignmentOnceWarm)
 {
     if (RTOB_SANITIZED) GTEST_SKIP() << "the sanitizer has its own operator new";
-    IcpOptions line;
+    const IcpOptions point = test::paper_icp_options();
+    IcpOptions line = point;
     line.metric = IcpMetric::PointToLine;
     for (const auto name :
          {Density::Uniform, Density::Interval, Density::Window, Density::Forgetting,
@@ -90,7 +91,7 @@ TEST(Allocations, NoneInDrawAndAlignmentOnceWarm)
                 options.vicinity_m = 0.5;
                 options.forgetting_s =
                     name == Density::Forgetting && forgetting_s == 0 ? 10 : forgetting_s;
-                EXPECT_EQ(allocations_once_warm(options, mode, IcpOptions{}), 0) << name_of(name);
+                EXPECT_EQ(allocations_once_warm(options, mode, point), 0) << name_of(name);
                 EXPECT_EQ(allocations_once_warm(options, mode, line), 0) << name_of(name);
             }
 }

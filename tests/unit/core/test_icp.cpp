@@ -20,7 +20,7 @@ namespace
 {
 IcpOptions line_options()
 {
-    IcpOptions options;
+    IcpOptions options = test::paper_icp_options();
     options.metric = IcpMetric::PointToLine;
     return options;
 }
@@ -70,7 +70,7 @@ TEST(Icp, ErrorAndShareAreThoseComputedByHand)
     // each of the four pairs is 0.1 m long. The fifth point has no neighbour.
     const Points scan = points_of({{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {5, 5}});
     const Points reference = points_of({{1.1f, 0}, {-1.1f, 0}, {0, 1.1f}, {0, -1.1f}});
-    const auto result = Icp().align(scan.view(), reference.view());
+    const auto result = Icp(test::paper_icp_options()).align(scan.view(), reference.view());
     EXPECT_THAT(result.correction, IsNearPose(Pose2{}, 1e-7, 1e-7));
     EXPECT_EQ(result.pairs, 4u);
     EXPECT_DOUBLE_EQ(result.paired_share, 0.8);
@@ -82,7 +82,7 @@ TEST(Icp, OneStepIsTheLeastSquaresMotion)
     // A turn of the square by 0.1 rad about its centre and a shift: the closed form finds both.
     const Points scan = points_of({{1, 1}, {1, -1}, {-1, 1}, {-1, -1}});
     const Pose2 truth{0.02, -0.03, 0.1};
-    IcpOptions options;
+    IcpOptions options = test::paper_icp_options();
     options.iterations = 1;
     const auto result = Icp(options).align(scan.view(), test::moved(scan, truth).view());
     EXPECT_THAT(result.correction, IsNearPose(truth, 1e-6, 1e-6));
@@ -92,8 +92,9 @@ TEST(Icp, OneStepIsTheLeastSquaresMotion)
 TEST(Icp, DoesAllIterationsUnlessToldToStop)
 {
     const auto m = room_matching();
-    EXPECT_EQ(Icp().align(m.scan.view(), m.reference.view()).iterations, 50);
-    IcpOptions stopping;
+    EXPECT_EQ(
+        Icp(test::paper_icp_options()).align(m.scan.view(), m.reference.view()).iterations, 50);
+    IcpOptions stopping = test::paper_icp_options();
     stopping.stop_step_m = 1e-4;
     const auto result = Icp(stopping).align(m.scan.view(), m.reference.view());
     EXPECT_LT(result.iterations, 50);
@@ -104,7 +105,7 @@ TEST(Icp, TheOrderOfPointsDoesNotMatter)
 {
     const auto m = room_matching();
     Random random(1);
-    for (const auto& options : {IcpOptions{}, line_options()})
+    for (const auto& options : {test::paper_icp_options(), line_options()})
     {
         Icp icp(options);
         const auto once = icp.align(m.scan.view(), m.reference.view());
@@ -120,7 +121,7 @@ TEST(Icp, ShiftsAndTurnsOfTheFrameCarryOver)
 {
     const auto m = room_matching();
     for (const Pose2& frame : {Pose2{3, -2, 0}, Pose2{0, 0, 2.5}, Pose2{-1, 4, -1}})
-        for (const auto& options : {IcpOptions{}, line_options()})
+        for (const auto& options : {test::paper_icp_options(), line_options()})
         {
             const auto here = Icp(options).align(m.scan.view(), m.reference.view());
             const auto there = Icp(options).align(
@@ -134,7 +135,7 @@ TEST(Icp, ShiftsAndTurnsOfTheFrameCarryOver)
 TEST(Icp, NothingToMatchLeavesTheGuess)
 {
     const Points none, one = points_of({{1, 0}}), room = room_matching().reference;
-    for (const auto& options : {IcpOptions{}, line_options()})
+    for (const auto& options : {test::paper_icp_options(), line_options()})
         for (const auto& [scan, reference] :
              {std::pair(none, none), std::pair(none, room), std::pair(room, none),
               std::pair(one, one), std::pair(one, room)})
@@ -150,7 +151,7 @@ TEST(Icp, NothingToMatchLeavesTheGuess)
 TEST(Icp, ACorridorIsUncertainAlongItself)
 {
     for (const double direction_rad : {0.0, 0.5, -1.2})
-        for (const auto& options : {IcpOptions{}, line_options()})
+        for (const auto& options : {test::paper_icp_options(), line_options()})
         {
             const Points walls = corridor(direction_rad);
             const auto result = Icp(options).align(walls.view(), walls.view());
@@ -166,7 +167,7 @@ TEST(Icp, ACorridorIsUncertainAlongItself)
 TEST(Icp, ARoomIsCertainInAllDirections)
 {
     const auto m = room_matching();
-    const auto result = Icp().align(m.scan.view(), m.reference.view());
+    const auto result = Icp(test::paper_icp_options()).align(m.scan.view(), m.reference.view());
     EXPECT_LT(result.covariance(0, 0), 10 * result.covariance(1, 1));
     EXPECT_LT(result.covariance(1, 1), 10 * result.covariance(0, 0));
     EXPECT_TRUE(result.covariance.isApprox(result.covariance.transpose()));
@@ -181,7 +182,7 @@ TEST(Icp, APriorHoldsTheDirectionThatTheWallsLeaveOpen)
     EXPECT_THAT(free.correction, IsNearPose(Pose2{-0.02, -0.1, 0}, 2e-3, 1e-3));
     CorrectionPrior prior;
     prior.information(0, 0) = 1e3;
-    for (const auto& options : {IcpOptions{}, line_options()})
+    for (const auto& options : {test::paper_icp_options(), line_options()})
     {
         const auto held = Icp(options).align(scan.view(), reference.view(), prior);
         EXPECT_NEAR(held.correction.y, -0.1, 2e-3);
@@ -194,7 +195,7 @@ TEST(IcpOptions, RefusesWhatIsOutOfRange)
 {
     const auto refused = [](const auto& change)
     {
-        IcpOptions options;
+        IcpOptions options = test::paper_icp_options();
         change(options);
         EXPECT_THROW(Icp{options}, std::invalid_argument);
     };

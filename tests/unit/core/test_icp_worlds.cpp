@@ -27,13 +27,14 @@ struct Setting
 
 IcpOptions icp_options(IcpMetric metric, RobustKernel kernel, bool coarse_to_fine)
 {
-    IcpOptions options;
+    IcpOptions options = test::paper_icp_options();
     options.metric = metric;
     options.kernel = kernel;
     if (coarse_to_fine)
     {
         options.max_pair_distance_m = 0.6;
         options.final_pair_distance_m = 0.1;
+        options.kernel_scale_m = 0.05;
     }
     else
         options.kernel_scale_m = 0.3;  // a smaller one holds the scan where it is
@@ -44,7 +45,7 @@ std::vector<Setting> settings()
 {
     constexpr auto kPoint = IcpMetric::PointToPoint, kLine = IcpMetric::PointToLine;
     return {
-        {"paper", IcpOptions{}},
+        {"paper", test::paper_icp_options()},
         {"line", icp_options(kLine, RobustKernel::None, false)},
         {"huber", icp_options(kPoint, RobustKernel::Huber, false)},
         {"cauchy", icp_options(kPoint, RobustKernel::Cauchy, false)},
@@ -122,7 +123,7 @@ TEST(IcpWorlds, PointsOfOtherScansDoNotPullTheScanAway)
             for (std::size_t k = 0; k < points.size(); ++k)
                 m.reference.add(points.x[k], points.y[k]);
         }
-        const auto result = Icp(IcpOptions{}).align(m.scan.view(), m.reference.view());
+        const auto result = Icp(test::paper_icp_options()).align(m.scan.view(), m.reference.view());
         EXPECT_THAT(result.correction, IsNearPose(m.truth, 5e-3, 0.2 * kDegree)) << world.name;
     }
 }
