@@ -29,7 +29,7 @@ constexpr const char* footer =
     "Flags win over the .ini; rtob-slam options lists its keys.\n"
     "The folder gets trajectory.tum, poses.csv, timing.csv, map.png, map.pgm + map.yaml,\n"
     "map.ply, map.rtob, summary.txt, summary.json and config.effective.ini.\n"
-    "Ctrl-C ends the run and writes what there is; a second one kills it.\n"
+    "Ctrl-C ends the run and writes what there is; a second one, later, kills it.\n"
     "Exit codes: 0 ok; 1 failed, or ended early by a signal or a damaged log (what was\n"
     "computed before is written); 2 wrong usage; 3 finished, but lost at the end.";
 

@@ -179,6 +179,7 @@ TEST_F(Run, ASignalEndsItAndWritesWhatThereIs)
         while (!std::filesystem::exists(results(name) + "/poses.csv.part")) usleep(10'000);
         usleep(100'000);
         program.send(signal);
+        program.send(signal);  // as timeout(1) does
         const auto result = program.wait();
         EXPECT_EQ(result.exit_code, 1);
         EXPECT_THAT(result.err, AllOf(HasSubstr("ended by a signal"), HasSubstr(results(name))));

@@ -4,8 +4,8 @@
 
 namespace rtob
 {
-/// While one of these lives, the first SIGINT or SIGTERM asks the run to end and the second kills
-/// the program as usual. At most one at a time.
+/// While one of these lives, the first SIGINT or SIGTERM asks the run to end; one that comes more
+/// than a second later kills the program as usual. At most one at a time.
 class StopSignals
 {
  public:
