@@ -107,9 +107,12 @@ int eval(const EvalFlags& flags)
 VerbAction declare_eval(CLI::App& command)
 {
     const auto flags = std::make_shared<EvalFlags>();
-    command.add_option("TRAJECTORY", flags->trajectory, "a trajectory.tum of a run")->required();
+    command.add_option("TRAJECTORY", flags->trajectory, "a trajectory.tum of a run")
+        ->type_name("")
+        ->required();
     command
         .add_option("RELATIONS", flags->relations, "lines t1 t2 x y z roll pitch yaw; may be .gz")
+        ->type_name("")
         ->required();
     command.add_flag("--json", flags->json, "print JSON");
     return [flags] { return eval(*flags); };

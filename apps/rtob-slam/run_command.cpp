@@ -113,19 +113,19 @@ int run(const RunFlags& flags)
 VerbAction declare_run(CLI::App& command)
 {
     const auto flags = std::make_shared<RunFlags>();
-    command.add_option("LOG", flags->log, "the log to read")->required();
-    command.add_option(
-        "-c,--config", flags->config_file, "an .ini with what differs from defaults");
-    command.add_option("-o,--output", flags->folder, "folder of the results; default: out/<log>");
+    command.add_option("LOG", flags->log, "the log to read")->type_name("")->required();
+    const auto add = [&](const char* names, auto& value, const char* what, const char* meaning)
+    { return command.add_option(names, value, meaning)->type_name(what); };
+    add("-c,--config", flags->config_file, "FILE.ini", "what differs from the defaults");
+    add("-o,--output", flags->folder, "FOLDER", "where the results go; default: out/<log>");
     command.add_flag("--overwrite", flags->overwrite, "write into a folder that is not empty");
-    command.add_option("--seed", flags->seed, "seed of all random draws: [Run] seed");
+    add("--seed", flags->seed, "N", "seed of all random draws: [Run] seed");
     command.add_flag("--no-odometry", flags->no_odometry, "leave the log's odometry aside");
-    command.add_option(
-        "--density", flags->density,
+    add("--density", flags->density, "NAME",
         "uniform, interval, window, forgetting or revisit: [Density] density");
-    command.add_option("--first", flags->first, "end after this many scans");
-    command.add_option("--skip", flags->skip, "pass over this many scans at the start");
-    command.add_option("--set", flags->sets, "Section.key=value: set any option; repeatable")
+    add("--first", flags->first, "N", "end after this many scans");
+    add("--skip", flags->skip, "N", "pass over this many scans at the start");
+    add("--set", flags->sets, "Section.key=value", "set any option; may be given again")
         ->allow_extra_args(false);
     command.add_flag(
         "--simplemap", flags->simple_map,
