@@ -50,7 +50,7 @@ TEST(CommandLine, TellsItsVersion)
 TEST(CommandLine, RefusesWhatItDoesNotKnowWithASuggestion)
 {
     expect_usage_error({}, "Usage:");
-    expect_usage_error({"runn", "log"}, "unknown verb 'runn'; did you mean 'run'?");
+    expect_usage_error({"rum", "log"}, "unknown verb 'rum'; did you mean 'run'?");
     expect_usage_error({"run"}, "LOG");
     expect_usage_error({"run", "log", "--sed", "1"}, "unknown flag --sed; did you mean '--seed'?");
     expect_usage_error({"run", "log", "second"}, "second");
@@ -60,13 +60,13 @@ TEST(CommandLine, RefusesWhatItDoesNotKnowWithASuggestion)
 TEST(CommandLine, RefusesBadValuesOfFlags)
 {
     expect_usage_error({"run", "log", "--seed", "-1"}, "--seed: key seed: '-1' is not");
-    expect_usage_error({"run", "log", "--density", "revist"}, "did you mean 'revisit'?");
+    expect_usage_error({"run", "log", "--density", "revisitt"}, "did you mean 'revisit'?");
     expect_usage_error({"run", "log", "--first", "ten"}, "--first: 'ten' is not");
     expect_usage_error({"run", "log", "--first", "0"}, "--first: must be at least 1");
     expect_usage_error({"run", "log", "--skip", "1.5"}, "--skip: '1.5' is not");
     expect_usage_error({"run", "log", "--set", "Draw.points"}, "write --set Section.key=value");
     expect_usage_error({"run", "log", "--set", "Drow.points=9"}, "did you mean 'Draw'?");
-    expect_usage_error({"run", "log", "--set", "Draw.pionts=9"}, "did you mean 'points'?");
+    expect_usage_error({"run", "log", "--set", "Draw.pointz=9"}, "did you mean 'points'?");
     expect_usage_error({"run", "log", "--set", "Draw.points=0"}, "[Draw]");
 }
 

@@ -227,7 +227,7 @@ TEST_F(BadInput, IniWithAValueOutOfRange)
 }
 TEST_F(BadInput, IniWithAnUnknownKey)
 {
-    expect_ini_refused("[Draw]\npionts = 100\n", "[Draw]", "did you mean 'points'?");
+    expect_ini_refused("[Draw]\npointz = 100\n", "[Draw]", "did you mean 'points'?");
 }
 TEST_F(BadInput, IniWithAnUnknownSection)
 {
