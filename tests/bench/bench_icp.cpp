@@ -43,6 +43,7 @@ void ours(benchmark::State& state, IcpMetric metric)
     Task task;
     IcpOptions options;
     options.iterations = kIterations;
+    options.stop_step_m = 0;
     options.max_pair_distance_m = options.final_pair_distance_m = kPairDistance_m;
     options.metric = metric;
     options.kernel = RobustKernel::None;
@@ -66,7 +67,7 @@ void mrpt_cicp(benchmark::State& state)
     config.minAbsStep_trans = config.minAbsStep_rot = 0;
     config.thresholdDist = kPairDistance_m;
     config.thresholdAng = 0;
-    config.ALFA = 1;  // a threshold that shrinks would end the iterations
+    config.ALFA = 0.999999;
     config.smallestThresholdDist = kPairDistance_m;
     config.corresponding_points_decimation = 1;
     config.doRANSAC = false;

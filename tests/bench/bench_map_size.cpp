@@ -66,7 +66,7 @@ struct Matcher
     ReferenceDraw draw;
     Random random{1};
     Reference reference;
-    Icp icp;
+    Icp icp{test::paper_icp_options()};
 };
 
 void draw_points(benchmark::State& state, const Setting& setting, std::uint64_t points)

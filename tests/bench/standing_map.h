@@ -12,7 +12,8 @@ namespace rtob::bench
 constexpr double kScanRate_hz = 10;
 
 /// A vehicle that has circled in one room for as long as it takes to store this many points: the
-/// revisit density always has everything near. 360 points a scan, seen from 36 places in turn.
+/// revisit density always has everything near. 360 points a scan, seen from 36 places in turn, with
+/// a range laser's noise: without it points would lie on each other.
 inline test::TestMap make_standing_map(std::uint64_t points)
 {
     const test::Room room = test::room_4x3();
@@ -24,6 +25,9 @@ inline test::TestMap make_standing_map(std::uint64_t points)
         poses.push_back({1.6 + 0.5 * std::cos(turn_rad), 1.3 + 0.5 * std::sin(turn_rad), turn_rad});
         scans.push_back(test::moved(room.scan_vehicle(poses.back()), poses.back()));
     }
+    Random random(1);
+    const auto noisy = [&](float v)
+    { return v + 0.03f * static_cast<float>(random.uniform() - 0.5); };
     test::TestMap map;
     map.points_map.reserve(points + 360);
     map.scans.reserve(points / 360 + 1, points + 360);
@@ -33,7 +37,7 @@ inline test::TestMap make_standing_map(std::uint64_t points)
         map.add(
             static_cast<double>(k) / kScanRate_hz, poses[k % 36],
             static_cast<std::uint32_t>(scan.size()),
-            [&](std::uint32_t i) { return std::pair(scan.x[i], scan.y[i]); });
+            [&](std::uint32_t i) { return std::pair(noisy(scan.x[i]), noisy(scan.y[i])); });
     }
     return map;
 }

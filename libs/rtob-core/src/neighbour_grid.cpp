@@ -7,7 +7,7 @@ namespace rtob
 {
 namespace
 {
-constexpr double kCellsPerRadius = 4;
+constexpr double kCellsPerRadius = 8;
 constexpr std::size_t kCellsPerPoint = 4;
 
 // Enough cells that few share one, and more cells in a row than a query is wide.

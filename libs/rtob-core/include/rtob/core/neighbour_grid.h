@@ -148,7 +148,7 @@ inline NeighbourGrid::Neighbour NeighbourGrid::nearest(float x, float y, float r
     };
     // Outwards from the middle row: what is found there saves the rows and cells farther out.
     look(middle);
-    for (std::int32_t k = 1; middle - k >= low || middle + k <= high; ++k)  // 5 at most
+    for (std::int32_t k = 1; middle - k >= low || middle + k <= high; ++k)  // a few at most
     {
         if (middle + k <= high) look(middle + k);
         if (middle - k >= low) look(middle - k);
