@@ -66,7 +66,9 @@ IcpResult Icp::align(
         const double step =
             std::hypot(result.correction.x - before.x, result.correction.y - before.y);
         // 1 m: where the yaw's share of the step is measured.
-        if (step + std::abs(result.correction.yaw - before.yaw) < options_.stop_step_m) break;
+        const bool rests =
+            step + std::abs(result.correction.yaw - before.yaw) < options_.stop_step_m;
+        if (rests && distance_m <= options_.final_pair_distance_m) break;
     }
     findPairs(scan, result.correction, options_.final_pair_distance_m);
     describe(scan, result);
@@ -76,7 +78,8 @@ IcpResult Icp::align(
 /// Shrinks from the largest to the final distance over the first half of the iterations.
 double Icp::pairDistance(int iteration) const
 {
-    const double progress = std::min(1.0, 2.0 * iteration / options_.iterations);
+    const double progress = 2.0 * iteration / options_.iterations;
+    if (progress >= 1) return options_.final_pair_distance_m;
     return options_.max_pair_distance_m *
            std::pow(options_.final_pair_distance_m / options_.max_pair_distance_m, progress);
 }

@@ -62,7 +62,7 @@ void TimeDensity::findSupport(
             add(0, table.size());
             break;
     }
-    dropFrom(now.scans_end, stretches);
+    keepRange({now.scans_begin, now.scans_end}, stretches);
     if (stretches.empty()) return;
     support.newest_s = table.time(stretches.back().scans.end - 1);
     if (forgetting_rate_ > 0) cutByAge(table, support);
@@ -106,11 +106,15 @@ double TimeDensity::gaussianBound(const ScanTable& table, const ScanRange& scans
     return std::min(kSigmas * scans_per_sigma, static_cast<double>(scans.end - scans.first));
 }
 
-void TimeDensity::dropFrom(std::size_t scans_end, std::vector<Stretch>& stretches)
+void TimeDensity::keepRange(const ScanRange& range, std::vector<Stretch>& stretches)
 {
-    while (!stretches.empty() && stretches.back().scans.first >= scans_end) stretches.pop_back();
-    if (!stretches.empty())
-        stretches.back().scans.end = std::min(stretches.back().scans.end, scans_end);
+    for (Stretch& stretch : stretches)
+    {
+        stretch.scans.first = std::max(stretch.scans.first, range.first);
+        stretch.scans.end = std::min(stretch.scans.end, range.end);
+    }
+    const auto is_empty = [](const Stretch& s) { return s.scans.first >= s.scans.end; };
+    stretches.erase(std::remove_if(stretches.begin(), stretches.end(), is_empty), stretches.end());
 }
 
 /// Cuts the stretches at 0, 1/4, 2/4 ... of 1/lambda before the newest scan, so that forgetting

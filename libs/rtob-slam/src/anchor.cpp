@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/core/bits_math.h>
 #include <rtob/core/option_checks.h>
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/turned_points.h>
@@ -16,11 +17,18 @@ void AnchorOptions::validate() const
         min_paired_share > 0 && min_paired_share <= 1, "min_paired_share", min_paired_share,
         "in (0, 1]");
     require(error_slack_m2 >= 0, "error_slack_m2", error_slack_m2, ">= 0");
+    require(small_step_m > 0, "small_step_m", small_step_m, "> 0");
+    require(drift_share >= 0, "drift_share", drift_share, ">= 0");
+    require(small_turn_deg > 0, "small_turn_deg", small_turn_deg, "> 0");
     require(min_points >= 10, "min_points", min_points, ">= 10");
 }
 
 namespace
 {
+// Old scans may explain this much less of a scan than all scans do: of a small correction, of a
+// large one.
+constexpr double kShareSlack = 0.75, kFarShareSlack = 0.9;
+
 IcpOptions with_pair_distance(IcpOptions options, double max_pair_distance_m)
 {
     options.max_pair_distance_m = std::max(max_pair_distance_m, options.final_pair_distance_m);
@@ -32,7 +40,8 @@ Anchor::Anchor(
     const AnchorOptions& options, const IcpOptions& icp, const DensityOptions& density,
     const DrawOptions& draw, std::uint64_t seed)
     : options_(options),
-      icp_(with_pair_distance(icp, options.max_pair_distance_m)),
+      icp_(icp),
+      wide_icp_(with_pair_distance(icp, options.max_pair_distance_m)),
       density_(density),
       draw_(draw),
       random_(seed)
@@ -40,36 +49,47 @@ Anchor::Anchor(
     options_.validate();
 }
 
-void Anchor::inserted(const Pose2& pose_map_vehicle)
-{
-    const float step_m =
-        path_m_.empty()
-            ? 0.0f
-            : static_cast<float>(
-                  std::hypot(pose_map_vehicle.x - last_pose_.x, pose_map_vehicle.y - last_pose_.y));
-    path_m_.push_back(path_m_.empty() ? 0.0f : path_m_.back() + step_m);
-    last_pose_ = pose_map_vehicle;
-    while (old_end_ < path_m_.size() &&
-           path_m_[old_end_] < path_m_.back() - static_cast<float>(options_.min_path_m))
-        ++old_end_;
-}
-
 std::optional<IcpResult> Anchor::align(
-    const MapView& map, double time_s, const Pose2& pose_map_vehicle, const IcpResult& fit,
-    const Points& points_vehicle)
+    const MapView& map, const TravelLog& travel, double time_s, const Pose2& pose_map_vehicle,
+    const IcpResult& fit, const Points& points_vehicle)
 {
-    if (!options_.enabled || old_end_ == 0) return std::nullopt;
+    const std::size_t old_end = travel.scansBefore(options_.min_path_m);
+    if (!options_.enabled || old_end == 0) return std::nullopt;
     const Box gate = turn_points(pose_map_vehicle, points_vehicle.view(), points_turned_)
                          .grown(options_.max_pair_distance_m);
     draw_.draw(
-        map, density_, {time_s, pose_map_vehicle.x, pose_map_vehicle.y, old_end_}, gate, random_,
+        map, density_, {time_s, pose_map_vehicle.x, pose_map_vehicle.y, 0, old_end}, gate, random_,
         reference_);
     if (reference_.indices.size() < static_cast<std::size_t>(options_.min_points))
         return std::nullopt;
+    // Near first: the far reach of the second try would blur a guess that is good already.
+    const double path_m = travel.path() - anchored_path_m_;
     IcpResult old_fit = icp_.align(points_turned_.view(), reference_.points.view());
-    const bool explains =
-        old_fit.paired_share >= options_.min_paired_share &&
-        old_fit.mean_squared_error <= fit.mean_squared_error + options_.error_slack_m2;
-    return explains ? std::optional(old_fit) : std::nullopt;
+    if (!explains(old_fit, fit, path_m, false))
+    {
+        if (options_.drift_share * path_m < options_.small_step_m) return std::nullopt;
+        old_fit = wide_icp_.align(points_turned_.view(), reference_.points.view());
+        if (!explains(old_fit, fit, path_m, true)) return std::nullopt;
+    }
+    anchored_path_m_ = travel.path();
+    return old_fit;
+}
+
+/// What exceeds the drift to expect is a mistake. A small correction is welcome when the old scans
+/// fit about as well as all scans do; a large one contradicts the fit against all scans, so it must
+/// be the better one.
+bool Anchor::explains(
+    const IcpResult& old_fit, const IcpResult& fit, double path_m, bool is_far) const
+{
+    const Pose2& by = old_fit.correction;
+    const double step_m = std::hypot(by.x, by.y);
+    if (step_m > options_.small_step_m + options_.drift_share * path_m) return false;
+    const bool is_large = is_far || step_m > options_.small_step_m ||
+                          std::abs(by.yaw) > mrpt::DEG2RAD(options_.small_turn_deg);
+    const double share_slack = is_large ? kFarShareSlack : kShareSlack;
+    const double error_slack_m2 = is_large ? 0.0 : options_.error_slack_m2;
+    return old_fit.paired_share >= options_.min_paired_share &&
+           old_fit.paired_share >= share_slack * fit.paired_share &&
+           old_fit.mean_squared_error <= fit.mean_squared_error + error_slack_m2;
 }
 }  // namespace rtob

@@ -26,6 +26,9 @@ class StepTimer
     Clock::time_point begin_;
 };
 
+// A map of fewer scans may start anew with a richer scan that does not fit it.
+constexpr std::size_t kYoungMap_scans = 3;
+
 // What a scan without a match adds to the uncertainty of the pose, one sigma.
 constexpr double kBlindStep_m = 0.05, kBlindTurn_rad = 0.02;
 
@@ -69,6 +72,7 @@ Slam::Slam(const SlamOptions& options)
       tracking_(options.tracking),
       insertion_(options.insertion),
       anchor_(options.anchor, options.icp, options.density, options.draw, options.seed),
+      loop_search_(options.loop_search, options.icp, options.seed),
       search_(options.search)
 {
 }
@@ -97,7 +101,12 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
 
     Match match = matchAround(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
     if (isDoubtful(match)) searchAround(pose_map_init, match);
-    if (match.verdict == FitVerdict::Good) anchor(match);
+    if (isFalseStart(match)) return startMap(pose_map_init);
+    if (match.verdict == FitVerdict::Good && options_.remembers())
+    {
+        anchor(match);
+        closeLoop(match);
+    }
     settle(match);
     insert(match);   // 7.
     return report_;  // 8.
@@ -164,19 +173,44 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
     if (found.verdict == FitVerdict::Good) match = found;
 }
 
+/// Beyond the paper: in places seen before, the old scans decide.
 void Slam::anchor(Match& match)
 {
     const StepTimer timer(report_.times.anchor_s);
     const auto old_fit = anchor_.align(
-        map_.view(), report_.map_time_s, match.pose_map_vehicle, match.fit, points_vehicle_);
+        map_.view(), travel_, report_.map_time_s, match.pose_map_vehicle, match.fit,
+        points_vehicle_);
     if (!old_fit) return;
     report_.anchored = true;
     match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);
     match.fit = *old_fit;
+    loop_search_.anchored(travel_, *old_fit);
+}
+
+/// Beyond the paper: after a long loop, the place is looked for.
+void Slam::closeLoop(Match& match)
+{
+    const StepTimer timer(report_.times.search_s);
+    const auto found = loop_search_.search(
+        map_.view(), travel_, report_.map_time_s, match.pose_map_vehicle,
+        travel_.scansBefore(options_.anchor.min_path_m));
+    if (!found) return;
+    report_.closed_loop = true;
+    match.pose_map_vehicle = *found;
+}
+
+/// Whether the map began with a poor scan, as lasers give while they spin up.
+bool Slam::isFalseStart(const Match& match) const
+{
+    return !is_match(match.verdict) && map_.scans().size() < kYoungMap_scans &&
+           points_vehicle_.size() > map_.size();
 }
 
 const ScanReport& Slam::startMap(const Pose2& pose_map_init)
 {
+    map_.clear();
+    travel_ = TravelLog();
+    report_.map_time_s = map_.tick(report_.stamp_s);
     tracking_.start();
     Match match{pose_map_init, {}, FitVerdict::Good};
     match.fit.covariance.setZero();  // the map's frame is the first pose, by definition
@@ -221,7 +255,7 @@ void Slam::insert(const Match& match)
     if (!may_write || !insertion_.wants(report_.map_time_s, report_.pose_map_vehicle)) return;
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(report_.map_time_s, report_.pose_map_vehicle);
-    anchor_.inserted(report_.pose_map_vehicle);
+    travel_.inserted(report_.pose_map_vehicle);
     report_.inserted = true;
 }
 

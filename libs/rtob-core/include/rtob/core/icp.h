@@ -44,19 +44,19 @@ constexpr auto enum_names(RobustKernel)
 
 struct IcpOptions
 {
-    int iterations = 50;
+    int iterations = 30;
     double max_pair_distance_m = 0.30;
-    double final_pair_distance_m = 0.30;
-    IcpMetric metric = IcpMetric::PointToPoint;
-    RobustKernel kernel = RobustKernel::None;
-    double kernel_scale_m = 0.05;
+    double final_pair_distance_m = 0.15;
+    IcpMetric metric = IcpMetric::PointToLine;
+    RobustKernel kernel = RobustKernel::Tukey;
+    double kernel_scale_m = 0.15;
     double line_radius_m = 0.15;
-    double stop_step_m = 0;
+    double stop_step_m = 0.0005;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
     {
-        visit("iterations", s.iterations, "iterations, always all of them; >= 1 [sec. 2.3.1]");
+        visit("iterations", s.iterations, "iterations at most; >= 1 [sec. 2.3.1]");
         visit(
             "max_pair_distance_m", s.max_pair_distance_m,
             "pairs farther apart are dropped; > 0 [sec. 2.3.1: maximum correspondence distance]");
@@ -66,14 +66,18 @@ struct IcpOptions
             "max_pair_distance_m");
         visit("metric", s.metric, "what is made small: the paper's point to point, or to the line");
         visit("kernel", s.kernel, "robust weight of a pair");
-        visit("kernel_scale_m", s.kernel_scale_m, "the kernel's scale; > 0");
+        visit(
+            "kernel_scale_m", s.kernel_scale_m,
+            "the kernel's scale at the final pair distance, in proportion before; > 0");
         visit(
             "line_radius_m", s.line_radius_m,
             "reference points within this of a point make its line; > 0, at most "
             "max_pair_distance_m");
         visit(
             "stop_step_m", s.stop_step_m,
-            "stop early after a smaller step; 0: never, so that the cost is constant");
+            "stop after a smaller step once the pair distance is final; 0: never, so that the cost "
+            "is "
+            "constant [sec. 2.3.1]");
     }
     void validate() const;
 };

@@ -38,7 +38,7 @@ struct DensityOptions
     double window_s = 30;
     double forgetting_s = 0;
     double sigma_s = 1;
-    double laser_range_m = 8;
+    double laser_range_m = 12;
     double vicinity_m = 0;
     double gate_m = 0;
 
@@ -72,7 +72,8 @@ struct Moment
 {
     double time_s = 0;    ///< map time
     double x = 0, y = 0;  ///< the vehicle in map, as pre-aligned
-    /// Only scans before this one are drawn.
+    /// Only scans from the first to before the second are drawn.
+    std::size_t scans_begin = 0;
     std::size_t scans_end = std::numeric_limits<std::size_t>::max();
 };
 
@@ -125,7 +126,7 @@ class TimeDensity
         const ScanTable& table, const VisitIndex& visits, const Moment& now,
         std::vector<Stretch>& stretches) const;
     [[nodiscard]] double gaussianBound(const ScanTable& table, const ScanRange& scans) const;
-    static void dropFrom(std::size_t scans_end, std::vector<Stretch>& stretches);
+    static void keepRange(const ScanRange& range, std::vector<Stretch>& stretches);
     void cutByAge(const ScanTable& table, Support& support) const;
     [[nodiscard]] double gaussianSum(
         const ScanTable& table, const Moment& now, std::size_t scan) const;

@@ -5,9 +5,9 @@
 #include <rtob/core/random.h>
 #include <rtob/core/reference_draw.h>
 #include <rtob/core/time_density.h>
+#include <rtob/slam/travel_log.h>
 
 #include <optional>
-#include <vector>
 
 namespace rtob
 {
@@ -17,7 +17,10 @@ struct AnchorOptions
     double min_path_m = 20;
     double max_pair_distance_m = 1.0;
     double min_paired_share = 0.7;
-    double error_slack_m2 = 0.001;
+    double error_slack_m2 = 0.0005;
+    double small_step_m = 0.3;
+    double drift_share = 0.03;
+    double small_turn_deg = 2;
     int min_points = 500;
 
     template <class Self, class Visit>
@@ -28,13 +31,22 @@ struct AnchorOptions
             "min_path_m", s.min_path_m, "old is what was seen at least this much travel ago; > 0");
         visit(
             "max_pair_distance_m", s.max_pair_distance_m,
-            "largest loop error that is closed; > 0, at least the icp's final_pair_distance_m");
+            "the second try's pair distance: loop errors up to about this are closed; > 0");
         visit(
             "min_paired_share", s.min_paired_share,
             "share of the scan that the old scans must explain; (0, 1]");
         visit(
             "error_slack_m2", s.error_slack_m2,
-            "how much larger the mean squared error may be than against all scans; >= 0");
+            "how much larger than against all scans the mean squared error may be, for a small "
+            "correction; >= 0");
+        visit(
+            "small_step_m", s.small_step_m,
+            "a larger correction must fit better than all scans do; > 0");
+        visit(
+            "drift_share", s.drift_share,
+            "no correction exceeds small_step_m and this share of the path since the last one; >= "
+            "0");
+        visit("small_turn_deg", s.small_turn_deg, "the same for its turn; > 0");
         visit("min_points", s.min_points, "old points that must be near; >= 10");
     }
     void validate() const;
@@ -51,26 +63,24 @@ class Anchor
         const AnchorOptions& options, const IcpOptions& icp, const DensityOptions& density,
         const DrawOptions& draw, std::uint64_t seed);
 
-    /// To be called for each scan of the map, with its pose.
-    void inserted(const Pose2& pose_map_vehicle);
-
     /// @param fit of the scan against all scans, at `pose_map_vehicle`.
     /// @return the fit against old scans, its correction relative to `pose_map_vehicle`, or nothing
     /// where old scans do not explain the scan.
     [[nodiscard]] std::optional<IcpResult> align(
-        const MapView& map, double time_s, const Pose2& pose_map_vehicle, const IcpResult& fit,
-        const Points& points_vehicle);
+        const MapView& map, const TravelLog& travel, double time_s, const Pose2& pose_map_vehicle,
+        const IcpResult& fit, const Points& points_vehicle);
 
  private:
+    [[nodiscard]] bool explains(
+        const IcpResult& old_fit, const IcpResult& fit, double path_m, bool is_far) const;
+
     AnchorOptions options_;
-    Icp icp_;
+    Icp icp_, wide_icp_;
     TimeDensity density_;
     ReferenceDraw draw_;
     Random random_;
-    std::vector<float> path_m_;  ///< travelled until each scan of the map
-    Pose2 last_pose_;
-    std::size_t old_end_ = 0;  ///< one past the last scan that is old enough
     Points points_turned_;
     Reference reference_;
+    double anchored_path_m_ = 0;  ///< travelled when old scans last explained one
 };
 }  // namespace rtob

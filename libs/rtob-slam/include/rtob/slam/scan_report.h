@@ -33,8 +33,9 @@ struct ScanReport
     double paired_share = 0;  ///< [0, 1] of the points used
     std::size_t pairs = 0;
     bool inserted = false;
-    bool anchored = false;  ///< matched against old scans of this place
-    bool searched = false;  ///< ICP alone did not do: a window was searched
+    bool anchored = false;     ///< matched against old scans of this place
+    bool searched = false;     ///< ICP alone did not do: a window was searched
+    bool closed_loop = false;  ///< put right by a loop search
     BeamCounts beams;
     StepTimes times;
 };

@@ -5,8 +5,10 @@
 #include <rtob/map/rtob_map.h>
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/local_search.h>
+#include <rtob/slam/loop_search.h>
 #include <rtob/slam/scan_report.h>
 #include <rtob/slam/slam_options.h>
+#include <rtob/slam/travel_log.h>
 
 namespace rtob
 {
@@ -52,8 +54,10 @@ class Slam
     [[nodiscard]] Pose2 prealign();
     [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
     [[nodiscard]] bool isDoubtful(const Match& match) const;
+    [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
     void anchor(Match& match);
+    void closeLoop(Match& match);
     const ScanReport& startMap(const Pose2& pose_map_init);
     const ScanReport& settle(const Match& match);
     void report(const Match& match, TrackingState state);
@@ -67,7 +71,9 @@ class Slam
     Icp icp_;
     TrackingStateMachine tracking_;
     InsertionPolicy insertion_;
+    TravelLog travel_;
     Anchor anchor_;
+    LoopSearch loop_search_;
     LocalSearch search_;
 
     Points points_vehicle_;  ///< of the scan in work

@@ -7,6 +7,7 @@
 #include <rtob/slam/fit_gate.h>
 #include <rtob/slam/insertion_policy.h>
 #include <rtob/slam/local_search.h>
+#include <rtob/slam/loop_search.h>
 #include <rtob/slam/prealignment.h>
 #include <rtob/slam/scan_filter.h>
 #include <rtob/slam/sensor_choice.h>
@@ -29,6 +30,7 @@ struct SlamOptions
     TrackingOptions tracking;
     InsertionOptions insertion;
     AnchorOptions anchor;
+    LoopSearchOptions loop_search;
     std::uint64_t seed = 1;
 
     /// Calls visit(section, options) for each group, in the order of the pipeline: the only list of
@@ -47,6 +49,12 @@ struct SlamOptions
         visit("Tracking", s.tracking);
         visit("Insertion", s.insertion);
         visit("Anchor", s.anchor);
+        visit("LoopSearch", s.loop_search);
+    }
+    /// Whether old scans may decide: not where the user asked to forget.
+    [[nodiscard]] bool remembers() const
+    {
+        return density.density == Density::Revisit && density.forgetting_s == 0;
     }
     void validate() const
     {

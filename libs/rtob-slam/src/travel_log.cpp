@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/slam/travel_log.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtob
+{
+void TravelLog::inserted(const Pose2& pose_map_vehicle)
+{
+    const double step_m =
+        std::hypot(pose_map_vehicle.x - last_pose_.x, pose_map_vehicle.y - last_pose_.y);
+    path_m_.push_back(path_m_.empty() ? 0.0f : path_m_.back() + static_cast<float>(step_m));
+    last_pose_ = pose_map_vehicle;
+}
+
+std::size_t TravelLog::scansBefore(double travel_m) const
+{
+    const auto limit_m = static_cast<float>(path() - travel_m);
+    return static_cast<std::size_t>(
+        std::lower_bound(path_m_.begin(), path_m_.end(), limit_m) - path_m_.begin());
+}
+}  // namespace rtob
