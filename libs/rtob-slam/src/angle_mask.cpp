@@ -25,6 +25,7 @@ AngleMask::AngleMask(const std::string& sectors_deg)
     mrpt::system::tokenize(sectors_deg, ",", sectors);
     for (const std::string& sector : sectors)
     {
+        if (mrpt::system::trim(sector).empty()) continue;
         const auto dots = sector.find("..");
         if (dots == std::string::npos)
             throw std::invalid_argument(

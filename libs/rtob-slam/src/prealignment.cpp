@@ -3,15 +3,20 @@
 #include <rtob/core/option_checks.h>
 #include <rtob/slam/prealignment.h>
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rtob
 {
 namespace
 {
 constexpr double kLongestStep_s = 1.0;  // a velocity is not carried on for longer
+
+bool is_finite(const Pose2& pose)
+{
+    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
 }
+}  // namespace
 
 void PrealignOptions::validate() const
 {
@@ -26,21 +31,29 @@ Prealignment::Prealignment(const PrealignOptions& options) : options_(options)
 
 void Prealignment::addOdometry(const Pose2& pose_odom_vehicle)
 {
-    if (!odometry_at_last_) odometry_at_last_ = pose_odom_vehicle;
+    if (!is_finite(pose_odom_vehicle)) return;
+    // What was driven before the first scan is no part of the map.
+    if (!started_ || !odometry_at_last_) odometry_at_last_ = pose_odom_vehicle;
     odometry_now_ = pose_odom_vehicle;
     odometry_is_new_ = true;
 }
 
 void Prealignment::addMotion(const Pose2& pose_prev_now)
 {
-    addOdometry(compose(odometry_now_.value_or(Pose2{}), pose_prev_now));
+    if (!odometry_now_) addOdometry({});  // so that the first motion is one from somewhere
+    if (is_finite(pose_prev_now)) addOdometry(compose(*odometry_now_, pose_prev_now));
+}
+
+/// Stamps of real logs repeat, step back and jump: then the step is taken to be as long as usual.
+double Prealignment::stepTo(double stamp_s) const
+{
+    const double step_s = stamp_s - time_s_;
+    return step_s > 0 && step_s <= kLongestStep_s ? step_s : usual_step_s_;
 }
 
 Pose2 Prealignment::carriedOn(double step_s) const
 {
-    if (!(step_s > 0)) return {};
-    const double s = std::min(step_s, kLongestStep_s);
-    return {velocity_.x * s, velocity_.y * s, velocity_.yaw * s};
+    return {velocity_.x * step_s, velocity_.y * step_s, velocity_.yaw * step_s};
 }
 
 Pose2 Prealignment::predict(double stamp_s) const
@@ -51,29 +64,33 @@ Pose2 Prealignment::predict(double stamp_s) const
         return compose(pose_map_last_, between(*odometry_at_last_, *odometry_now_));
     const bool wants_velocity = options_.source == PrealignSource::Auto ||
                                 options_.source == PrealignSource::ConstantVelocity;
-    if (wants_velocity && started_)
-        return compose(pose_map_last_, carriedOn(stamp_s - last_stamp_s_));
+    if (wants_velocity) return compose(pose_map_last_, carriedOn(stepTo(stamp_s)));
     return pose_map_last_;
 }
 
 void Prealignment::settle(double stamp_s, const Pose2& pose_map_vehicle, bool matched)
 {
-    const double step_s = stamp_s - last_stamp_s_;
-    if (started_ && matched && step_s > 0 && step_s <= kLongestStep_s)
-    {
-        const Pose2 moved = between(pose_map_last_, pose_map_vehicle);
-        const Pose2 velocity{moved.x / step_s, moved.y / step_s, moved.yaw / step_s};
-        const bool plausible = std::hypot(velocity.x, velocity.y) <= options_.max_speed_mps &&
-                               std::abs(velocity.yaw) <= mrpt::DEG2RAD(options_.max_turn_degps);
-        velocity_ = plausible ? velocity : Pose2{};
-    }
-    else if (!matched || step_s > kLongestStep_s)
-        velocity_ = {};
+    const double step_s = stepTo(stamp_s);
+    const bool is_pause = stamp_s - time_s_ > kLongestStep_s;
+    velocity_ = started_ && matched && !is_pause ? velocityOver(step_s, pose_map_vehicle) : Pose2{};
+    usual_step_s_ = step_s;
+    const bool goes_on = std::abs(stamp_s - time_s_) <= kLongestStep_s;
+    time_s_ = goes_on ? time_s_ + step_s : stamp_s;
     pose_map_last_ = pose_map_vehicle;
-    last_stamp_s_ = stamp_s;
     started_ = true;
     odometry_at_last_ = odometry_now_;
     odometry_is_new_ = false;
+}
+
+/// Over the step to this pose; none where it cannot be true.
+Pose2 Prealignment::velocityOver(double step_s, const Pose2& pose_map_vehicle) const
+{
+    if (!(step_s > 0)) return {};
+    const Pose2 moved = between(pose_map_last_, pose_map_vehicle);
+    const Pose2 velocity{moved.x / step_s, moved.y / step_s, moved.yaw / step_s};
+    const bool plausible = std::hypot(velocity.x, velocity.y) <= options_.max_speed_mps &&
+                           std::abs(velocity.yaw) <= mrpt::DEG2RAD(options_.max_turn_degps);
+    return plausible ? velocity : Pose2{};
 }
 
 void Prealignment::reset(const Pose2& pose_map_vehicle)
@@ -82,6 +99,7 @@ void Prealignment::reset(const Pose2& pose_map_vehicle)
     velocity_ = {};
     odometry_at_last_ = odometry_now_;
     odometry_is_new_ = false;
-    started_ = false;
+    time_s_ = std::numeric_limits<double>::quiet_NaN();
+    started_ = true;
 }
 }  // namespace rtob

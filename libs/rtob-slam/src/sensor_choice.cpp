@@ -23,8 +23,10 @@ SensorChoice::SensorChoice(const SensorOptions& options)
           options.upside_down ? M_PI : 0.0)
 {
     options_.validate();
-    mrpt::system::tokenize(options_.labels, ",", labels_);
-    for (std::string& label : labels_) label = mrpt::system::trim(label);
+    std::vector<std::string> labels;
+    mrpt::system::tokenize(options_.labels, ",", labels);
+    for (const std::string& label : labels)
+        if (const auto name = mrpt::system::trim(label); !name.empty()) labels_.push_back(name);
 }
 
 bool SensorChoice::uses(const mrpt::obs::CObservation& observation) const

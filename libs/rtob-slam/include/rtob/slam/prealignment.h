@@ -3,6 +3,7 @@
 #include <rtob/core/pose2.h>
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -53,7 +54,8 @@ class Prealignment
  public:
     explicit Prealignment(const PrealignOptions& options = {});
 
-    /// Odometry as a pose in its own frame (CObservationOdometry).
+    /// Odometry as a pose in its own frame (CObservationOdometry). What is no number is passed
+    /// over.
     void addOdometry(const Pose2& pose_odom_vehicle);
     /// Odometry as the motion since the last one (CActionRobotMovement2D).
     void addMotion(const Pose2& pose_prev_now);
@@ -71,12 +73,16 @@ class Prealignment
     [[nodiscard]] bool hasOdometry() const { return odometry_now_.has_value(); }
 
  private:
+    [[nodiscard]] double stepTo(double stamp_s) const;
     [[nodiscard]] Pose2 carriedOn(double step_s) const;
+    [[nodiscard]] Pose2 velocityOver(double step_s, const Pose2& pose_map_vehicle) const;
 
     PrealignOptions options_;
     Pose2 pose_map_last_;
-    double last_stamp_s_ = 0;
-    bool started_ = false;
+    /// The last scan's own stamp, or later where stamps step back a little.
+    double time_s_ = std::numeric_limits<double>::quiet_NaN();
+    double usual_step_s_ = 0;  ///< 0: not known yet
+    bool started_ = false;     ///< a scan or a reset has said where the vehicle is
     std::optional<Pose2> odometry_at_last_, odometry_now_;
     bool odometry_is_new_ = false;
     Pose2 velocity_;  ///< in the vehicle frame, per second

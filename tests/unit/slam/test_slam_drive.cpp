@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole drives through a world of two rooms, without odometry.
+#include <gtest/gtest.h>
+#include <rtob/core/enum_names.h>
+#include <rtob/slam/slam.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "house.h"
+
+using namespace rtob;
+using test::house_lap_scans;
+
+namespace
+{
+struct DriveErrors
+{
+    double worst_m = 0, worst_rad = 0, last_m = 0;
+    int not_tracking = 0;
+};
+
+template <class ScanOf>
+DriveErrors drive(Slam& slam, int scans, const ScanOf& scan_of)
+{
+    DriveErrors errors;
+    for (int k = 0; k < scans; ++k)
+    {
+        const ScanReport& report = slam.process(scan_of(k));
+        const Pose2 error = between(test::pose_in_house_map(k), report.pose_map_vehicle);
+        errors.last_m = std::hypot(error.x, error.y);
+        errors.worst_m = std::max(errors.worst_m, errors.last_m);
+        errors.worst_rad = std::max(errors.worst_rad, std::abs(error.yaw));
+        errors.not_tracking += report.state != TrackingState::Tracking;
+    }
+    return errors;
+}
+
+std::vector<Pose2> noisy_poses(std::uint64_t seed, int scans)
+{
+    SlamOptions options;
+    options.seed = seed;
+    Slam slam(options);
+    Random noise(7);
+    std::vector<Pose2> poses;
+    for (int k = 0; k < scans; ++k)
+        poses.push_back(slam.process(test::noisy_scan_in_house(k, 0.01, noise)).pose_map_vehicle);
+    return poses;
+}
+
+bool same_bits(const Pose2& a, const Pose2& b)
+{
+    return a.x == b.x && a.y == b.y && a.yaw == b.yaw;
+}
+}  // namespace
+
+TEST(SlamDrive, WithoutNoiseStaysOnThePath)
+{
+    Slam slam;
+    const auto errors = drive(slam, house_lap_scans + 1, test::scan_in_house);
+    EXPECT_EQ(errors.not_tracking, 0);
+    // 20 m into rooms never seen before; the beams' gaps on a wall 5 m away are 9 cm wide.
+    EXPECT_LT(errors.worst_m, 0.03);
+    EXPECT_LT(errors.worst_rad, 0.01);
+    EXPECT_LT(errors.last_m, 0.01) << "back where it began, against the first scans";
+}
+
+TEST(SlamDrive, WithNoiseStaysOnThePath)
+{
+    for (const std::uint64_t seed : {1, 2, 3})
+    {
+        SlamOptions options;
+        options.seed = seed;
+        Slam slam(options);
+        Random noise(seed);
+        const auto errors = drive(
+            slam, house_lap_scans + 1,
+            [&](int k) { return test::noisy_scan_in_house(k, 0.02, noise); });
+        EXPECT_EQ(errors.not_tracking, 0) << "seed " << seed;
+        EXPECT_LT(errors.worst_m, 0.05) << "seed " << seed;
+        EXPECT_LT(errors.worst_rad, 0.02) << "seed " << seed;
+        EXPECT_LT(errors.last_m, 0.03) << "seed " << seed;
+    }
+}
+
+TEST(SlamDrive, WithAnyOfThePapersDensitiesStaysOnThePath)
+{
+    for (const auto density :
+         {Density::Uniform, Density::Interval, Density::Window, Density::Forgetting,
+          Density::Revisit})
+    {
+        SlamOptions options;
+        options.density.density = density;
+        options.density.forgetting_s = density == Density::Forgetting ? 10 : 0;
+        Slam slam(options);
+        const auto errors = drive(slam, house_lap_scans, test::scan_in_house);
+        EXPECT_EQ(errors.not_tracking, 0) << name_of(density);
+        EXPECT_LT(errors.worst_m, 0.1) << name_of(density);
+    }
+}
+
+TEST(SlamDrive, WithThePapersIcpStaysOnThePath)
+{
+    SlamOptions options;
+    options.icp.metric = IcpMetric::PointToPoint;
+    options.icp.kernel = RobustKernel::None;
+    Slam slam(options);
+    EXPECT_LT(drive(slam, house_lap_scans, test::scan_in_house).worst_m, 0.15);
+}
+
+TEST(SlamDrive, WritesEveryScanInTheOrderOfArrival)
+{
+    Slam slam;
+    std::size_t points = 0;
+    for (int k = 0; k < 40; ++k)
+    {
+        const ScanReport& report = slam.process(test::scan_in_house(k));
+        points += report.beams.used;
+        ASSERT_TRUE(report.inserted);
+        ASSERT_EQ(slam.map().scans().size(), static_cast<std::size_t>(k + 1));
+        EXPECT_TRUE(same_bits(slam.map().scans().pose(k), report.pose_map_vehicle));
+        EXPECT_EQ(slam.map().scans().time(k), report.map_time_s);
+        EXPECT_NEAR(report.map_time_s, 0.1 * k, 1e-6);
+        EXPECT_NEAR(report.stamp_s, 1000 + 0.1 * k, 1e-6);
+    }
+    EXPECT_EQ(slam.map().points().size, points);
+}
+
+TEST(SlamDrive, WritesLessByAnInsertionPolicy)
+{
+    SlamOptions options;
+    options.insertion.distance_m = 0.5;
+    options.insertion.interval_s = 1000;
+    Slam slam(options);
+    const auto errors = drive(slam, house_lap_scans, test::scan_in_house);
+    EXPECT_EQ(errors.not_tracking, 0);
+    EXPECT_LT(errors.worst_m, 0.1);
+    // The figure of eight is 20 m long; each scan comes up to one step late.
+    EXPECT_LE(slam.map().scans().size(), 20 / 0.5 + 2);
+    EXPECT_GE(slam.map().scans().size(), 20 / 0.56);
+}
+
+TEST(SlamDrive, TheSameSeedGivesTheSamePosesBitForBit)
+{
+    constexpr int scans = 60;
+    const auto first = noisy_poses(5, scans), again = noisy_poses(5, scans),
+               other = noisy_poses(6, scans);
+    int different = 0;
+    for (int k = 0; k < scans; ++k)
+    {
+        EXPECT_TRUE(same_bits(first[k], again[k])) << k;
+        different += !same_bits(first[k], other[k]);
+    }
+    EXPECT_GT(different, scans / 2);
+}
