@@ -6,10 +6,17 @@
 
 namespace rtob
 {
+namespace
+{
+constexpr std::size_t kScanBlock = 1 << 12;  // memory grows seldom, as the map's does
+}
+
 void TravelLog::inserted(const Pose2& pose_map_vehicle)
 {
     const double step_m =
         std::hypot(pose_map_vehicle.x - last_pose_.x, pose_map_vehicle.y - last_pose_.y);
+    if (path_m_.size() == path_m_.capacity())
+        path_m_.reserve(std::max(2 * path_m_.size(), kScanBlock));
     path_m_.push_back(path_m_.empty() ? 0.0f : path_m_.back() + static_cast<float>(step_m));
     last_pose_ = pose_map_vehicle;
 }
