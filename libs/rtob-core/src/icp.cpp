@@ -54,25 +54,31 @@ IcpResult Icp::align(
     last_.assign(scan.size, NeighbourGrid::kNone);
     const bool closed_form =
         options_.metric == IcpMetric::PointToPoint && prior.information.isZero(0);
-    for (; result.iterations < options_.iterations; ++result.iterations)
+    const int final_phase = (options_.iterations + 1) / 2;  // from here the pair distance is final
+    for (int phase = 0; phase < options_.iterations; ++phase)
     {
-        const double distance_m = pairDistance(result.iterations);
+        const double distance_m = pairDistance(phase);
         scale_m_ = options_.kernel_scale_m * distance_m / options_.final_pair_distance_m;
         findPairs(scan, result.correction, distance_m);
         if (pairs_.size() < kMinPairs) break;
         const Pose2 before = result.correction;
         result.correction =
             closed_form ? fitClosedForm(scan, before) : fitLinearised(before, prior);
-        const double step =
-            std::hypot(result.correction.x - before.x, result.correction.y - before.y);
-        // 1 m: where the yaw's share of the step is measured.
-        const bool rests =
-            step + std::abs(result.correction.yaw - before.yaw) < options_.stop_step_m;
-        if (rests && distance_m <= options_.final_pair_distance_m) break;
+        ++result.iterations;
+        if (!isAtRest(before, result.correction)) continue;
+        if (phase >= final_phase) break;
+        phase = final_phase - 1;
     }
     findPairs(scan, result.correction, options_.final_pair_distance_m);
     describe(scan, result);
     return result;
+}
+
+bool Icp::isAtRest(const Pose2& before, const Pose2& now) const
+{
+    // 1 m: where the turn's share of the step is measured.
+    return std::hypot(now.x - before.x, now.y - before.y) + std::abs(now.yaw - before.yaw) <
+           options_.stop_step_m;
 }
 
 /// Shrinks from the largest to the final distance over the first half of the iterations.

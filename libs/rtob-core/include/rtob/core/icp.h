@@ -45,7 +45,7 @@ constexpr auto enum_names(RobustKernel)
 struct IcpOptions
 {
     int iterations = 30;
-    double max_pair_distance_m = 0.30;
+    double max_pair_distance_m = 0.60;
     double final_pair_distance_m = 0.15;
     IcpMetric metric = IcpMetric::PointToLine;
     RobustKernel kernel = RobustKernel::Tukey;
@@ -124,6 +124,7 @@ class Icp
         std::int32_t neighbour;
         float squared_distance;
     };
+    [[nodiscard]] bool isAtRest(const Pose2& before, const Pose2& now) const;
     [[nodiscard]] double pairDistance(int iteration) const;
     void findPairs(const PointsView& scan, const Pose2& correction, double max_distance_m);
     [[nodiscard]] Pose2 fitClosedForm(const PointsView& scan, const Pose2& correction) const;
