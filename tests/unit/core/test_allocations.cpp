@@ -17,7 +17,7 @@ using test::AllocationCount;
 
 namespace
 {
-/// A vehicle that drives to and fro past a room's corner; each scan sees the whole room.
+/// A vehicle that drives back and forth past a room's corner; each scan sees the whole room.
 test::TestMap driven_map(int scans)
 {
     const auto world = test::worlds()[0];
