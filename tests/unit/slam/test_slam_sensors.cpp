@@ -61,7 +61,8 @@ TEST(SlamSensors, SeveralLasersDrawOneMap)
         ASSERT_NE(slam.observe(scan_from("FRONT", pose_vehicle_front, k)), nullptr);
         ASSERT_NE(slam.observe(scan_from("REAR", pose_vehicle_rear, k, 0.001)), nullptr);
         // Until the vehicle has turned a little, most of what the rear laser sees is in no scan.
-        if (k >= 10) EXPECT_EQ(slam.state(), TrackingState::Tracking) << k;
+        const bool has_turned = k >= 10;
+        EXPECT_TRUE(slam.state() == TrackingState::Tracking || !has_turned) << k;
         EXPECT_THAT(slam.pose(), IsNearPose(test::pose_on_circle_map(k), 0.02, 0.015)) << k;
     }
     EXPECT_GE(slam.map().scans().size(), 70U);
