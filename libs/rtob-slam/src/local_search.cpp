@@ -14,6 +14,9 @@ void SearchOptions::validate() const
     require(
         lost_half_angle_deg > 0 && lost_half_angle_deg <= 180, "lost_half_angle_deg",
         lost_half_angle_deg, "in (0, 180]");
+    require(
+        min_paired_share > 0 && min_paired_share <= 1, "min_paired_share", min_paired_share,
+        "in (0, 1]");
     require(points >= 20, "points", points, ">= 20");
 }
 

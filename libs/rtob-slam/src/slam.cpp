@@ -170,7 +170,9 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
             search_.search(pose_map_init, points_turned_, reference_, tracking_.isLost());
     }
     const Match found = matchAround(pose_map_found);
-    if (found.verdict == FitVerdict::Good) match = found;
+    const bool convinces = found.verdict == FitVerdict::Good &&
+                           found.fit.paired_share >= options_.search.min_paired_share;
+    if (convinces) match = found;
 }
 
 /// Beyond the paper: in places seen before, the old scans decide.
@@ -210,6 +212,7 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init)
 {
     map_.clear();
     travel_ = TravelLog();
+    report_.searched = false;  // nothing of what was found is used
     report_.map_time_s = map_.tick(report_.stamp_s);
     tracking_.start();
     Match match{pose_map_init, {}, FitVerdict::Good};
@@ -230,7 +233,7 @@ const ScanReport& Slam::settle(const Match& match)
 
 void Slam::report(const Match& match, TrackingState state)
 {
-    const bool matched = is_match(match.verdict);
+    const bool matched = state == TrackingState::Tracking || state == TrackingState::Relocalising;
     report_.state = state;
     report_.verdict = match.verdict;
     report_.pose_map_vehicle =
@@ -247,11 +250,13 @@ void Slam::report(const Match& match, TrackingState state)
     prealignment_.settle(report_.stamp_s, report_.pose_map_vehicle, matched);
 }
 
-/// Only what was matched while TRACKING enters the map.
+/// Only what was matched while TRACKING enters the map. What a search found must first be confirmed
+/// by a scan that needs no search.
 void Slam::insert(const Match& match)
 {
     const StepTimer timer(report_.times.insert_s);
-    const bool may_write = report_.state == TrackingState::Tracking && is_match(match.verdict);
+    const bool may_write =
+        report_.state == TrackingState::Tracking && is_match(match.verdict) && !report_.searched;
     if (!may_write || !insertion_.wants(report_.map_time_s, report_.pose_map_vehicle)) return;
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(report_.map_time_s, report_.pose_map_vehicle);

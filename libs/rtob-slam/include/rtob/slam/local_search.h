@@ -15,6 +15,7 @@ struct SearchOptions
     double lost_half_width_m = 4.0;
     double lost_half_angle_deg = 180;
     int points = 120;
+    double min_paired_share = 0.75;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -24,6 +25,9 @@ struct SearchOptions
         visit("half_angle_deg", s.half_angle_deg, "the window around the guess, in yaw; > 0");
         visit("lost_half_width_m", s.lost_half_width_m, "the same while LOST; > 0");
         visit("lost_half_angle_deg", s.lost_half_angle_deg, "the same while LOST; (0, 180]");
+        visit(
+            "min_paired_share", s.min_paired_share,
+            "share of the scan that what was found must explain; (0, 1]");
         visit("points", s.points, "points of the scan that are looked at; >= 20");
     }
     void validate() const;
