@@ -4,7 +4,7 @@
 # usage: share/scripts/evaluate.sh [SEEDS, default 10] [LOG-NAME...], with RTOB_DATASETS set
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
-program=build/bin/rtob-slam
+program=${RTOB_PROGRAM:-build/bin/rtob-slam}
 seeds=${1:-10}
 [[ $# -gt 0 ]] && shift
 if [[ ! -d ${RTOB_DATASETS:-} ]]; then

@@ -30,6 +30,7 @@ void IcpOptions::validate() const
     require(
         line_radius_m > 0 && line_radius_m <= max_pair_distance_m, "line_radius_m", line_radius_m,
         "> 0 and at most max_pair_distance_m");
+    require(cell_points >= 0, "cell_points", cell_points, ">= 0");
     require(stop_step_m >= 0, "stop_step_m", stop_step_m, ">= 0");
 }
 
@@ -49,7 +50,8 @@ IcpResult Icp::align(
     const PointsView& scan, const PointsView& reference, const CorrectionPrior& prior)
 {
     IcpResult result;
-    grid_.build(reference, options_.max_pair_distance_m);
+    grid_.build(
+        reference, options_.max_pair_distance_m, static_cast<std::uint32_t>(options_.cell_points));
     lines_.reset(grid_, options_.line_radius_m);
     last_.assign(scan.size, NeighbourGrid::kNone);
     const bool closed_form =

@@ -51,6 +51,7 @@ struct IcpOptions
     RobustKernel kernel = RobustKernel::Tukey;
     double kernel_scale_m = 0.15;
     double line_radius_m = 0.15;
+    int cell_points = 6;
     double stop_step_m = 0.0005;
 
     template <class Self, class Visit>
@@ -73,6 +74,10 @@ struct IcpOptions
             "line_radius_m", s.line_radius_m,
             "reference points within this of a point make its line; > 0, at most "
             "max_pair_distance_m");
+        visit(
+            "cell_points", s.cell_points,
+            "reference points kept in each cell of an eighth of max_pair_distance_m, the oldest "
+            "first; 0: all");
         visit(
             "stop_step_m", s.stop_step_m,
             "stop after a smaller step once the pair distance is final; 0: never, so that the cost "

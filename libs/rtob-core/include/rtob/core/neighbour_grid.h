@@ -27,7 +27,9 @@ class NeighbourGrid
     };
 
     /// Sorts the points into cells. @param max_radius_m the largest radius that will be asked for.
-    void build(const PointsView& points, double max_radius_m);
+    /// @param max_per_cell of the points of a cell only the first so many are kept; 0: all. What is
+    /// seen a thousand times need not be searched a thousand times.
+    void build(const PointsView& points, double max_radius_m, std::uint32_t max_per_cell = 0);
 
     /// The nearest point within radius_m <= max_radius_m; of equally near ones always the same.
     [[nodiscard]] Neighbour nearest(float x, float y, float radius_m) const;
