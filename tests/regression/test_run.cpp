@@ -50,6 +50,19 @@ TEST_F(Run, FollowsTheVehicleAndWritesEveryFile)
         EXPECT_NE(entry.path().extension(), ".part") << entry.path();
 }
 
+TEST_F(Run, FollowsTheVehicleByThePapersMethodToo)
+{
+    const auto result =
+        run(drive_log(), {"-c", RTOB_SOURCE_DIR "/config/paper.ini", "--no-odometry"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const auto poses = trajectory();
+    ASSERT_EQ(poses.size(), 40u);
+    for (int k = 0; k < 40; ++k)
+        EXPECT_THAT(
+            poses[static_cast<std::size_t>(k)].pose, IsNearPose(pose_on_circle_map(k), 0.03, 0.02))
+            << k;
+}
+
 TEST_F(Run, SaysTheSameInSummaryAndOnTheTerminal)
 {
     const auto result = run(drive_log());

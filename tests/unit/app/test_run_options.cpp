@@ -57,6 +57,26 @@ TEST(LoadRunConfig, TheDefaultIniHoldsTheDefaults)
     EXPECT_EQ(text_of(config), text_of({}));
 }
 
+/// config/paper.ini leaves nothing on that the paper does not have.
+TEST(LoadRunConfig, ThePaperIniHoldsThePapersMethod)
+{
+    const auto slam = load_run_config(RTOB_SOURCE_DIR "/config/paper.ini", {}).slam;
+    EXPECT_EQ(slam.prealign.source, PrealignSource::LastPose);
+    EXPECT_EQ(slam.density.density, Density::Revisit);
+    EXPECT_EQ(slam.density.sigma_s, 1);
+    EXPECT_EQ(slam.draw.points, 3600);
+    EXPECT_EQ(slam.draw.mode, DrawMode::Independent);
+    EXPECT_EQ(slam.icp.metric, IcpMetric::PointToPoint);
+    EXPECT_EQ(slam.icp.kernel, RobustKernel::None);
+    EXPECT_EQ(slam.icp.iterations, 50);
+    EXPECT_EQ(slam.icp.stop_step_m, 0);
+    EXPECT_EQ(slam.icp.max_pair_distance_m, 0.30);
+    EXPECT_EQ(slam.icp.final_pair_distance_m, 0.30);
+    EXPECT_FALSE(slam.search.enabled);
+    EXPECT_FALSE(slam.anchor.enabled);
+    EXPECT_FALSE(slam.loop_search.enabled);
+}
+
 TEST(LoadRunConfig, RefusesResolutionsThatMakeNoPicture)
 {
     for (const char* resolution : {"0", "-1", "0.001", "inf"})
