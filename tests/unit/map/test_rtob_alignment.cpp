@@ -59,7 +59,9 @@ TEST(RtobAlignment, FindsThePoseInAnRtobMap)
     EXPECT_EQ(result.pairs, 360u);
     EXPECT_EQ(result.paired_share, 1.0);
     EXPECT_LT(result.mean_squared_error, 1e-6);
-    EXPECT_EQ(result.iterations, rtob::IcpOptions{}.iterations);
+    // It stops once it rests, which a noise-free world allows early.
+    EXPECT_GE(result.iterations, 1);
+    EXPECT_LE(result.iterations, rtob::IcpOptions{}.iterations);
     EXPECT_GT(result.executionTime, 0);
 }
 
