@@ -70,6 +70,7 @@ TEST(LoadRunConfig, ThePaperIniHoldsThePapersMethod)
     EXPECT_EQ(slam.icp.kernel, RobustKernel::None);
     EXPECT_EQ(slam.icp.iterations, 50);
     EXPECT_EQ(slam.icp.stop_step_m, 0);
+    EXPECT_EQ(slam.icp.cell_points, 0);
     EXPECT_EQ(slam.icp.max_pair_distance_m, 0.30);
     EXPECT_EQ(slam.icp.final_pair_distance_m, 0.30);
     EXPECT_FALSE(slam.search.enabled);
