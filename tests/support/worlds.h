@@ -67,6 +67,7 @@ inline IcpOptions paper_icp_options()
     IcpOptions options;
     options.iterations = 50;
     options.stop_step_m = 0;
+    options.cell_points = 0;
     options.max_pair_distance_m = options.final_pair_distance_m = 0.3;
     options.metric = IcpMetric::PointToPoint;
     options.kernel = RobustKernel::None;

@@ -44,6 +44,8 @@ void NeighbourGrid::build(const PointsView& points, double max_radius_m, std::ui
     }
     std::uint32_t end = 0;
     for (auto& begin : cell_begin_) begin = (end += begin);
+    sorted_.reserve(points.size);  // how many are kept changes from draw to draw
+    original_.reserve(points.size);
     sorted_.x.resize(end);
     sorted_.y.resize(end);
     original_.resize(end);
