@@ -66,6 +66,23 @@ IcpResult fit_against_all_scans()
     return fit;
 }
 
+/// Of the second visit's third scan, where the vehicle believes itself.
+std::optional<IcpResult> align_third_scan(Anchor& anchor, const Loop& loop)
+{
+    return anchor.align(
+        loop.map.view(), loop.travel, loop.time_s, loop.believed(3), fit_against_all_scans(),
+        loop.scan(3));
+}
+
+void expect_truth(const Loop& loop, const std::optional<IcpResult>& fit)
+{
+    ASSERT_TRUE(fit.has_value());
+    // Old points are a few centimetres apart.
+    EXPECT_THAT(
+        apply_correction(loop.believed(3), fit->correction),
+        IsNearPose(loop.truth(3), 0.01, 0.005));
+}
+
 Anchor anchor_with(const AnchorOptions& options = {})
 {
     return Anchor(options, IcpOptions(), DensityOptions(), DrawOptions(), 1);
@@ -76,27 +93,16 @@ TEST(Anchor, PullsTheVehicleBackToTheOldScans)
 {
     Loop loop(room_with_circle(), {0.15, -0.1, 0.02});
     Anchor anchor = anchor_with();
-    const auto fit = anchor.align(
-        loop.map.view(), loop.travel, loop.time_s, loop.believed(3), fit_against_all_scans(),
-        loop.scan(3));
-    ASSERT_TRUE(fit.has_value());
-    // Old points are a few centimetres apart.
-    EXPECT_THAT(
-        apply_correction(loop.believed(3), fit->correction),
-        IsNearPose(loop.truth(3), 0.01, 0.005));
+    const auto fit = align_third_scan(anchor, loop);
+    expect_truth(loop, fit);
 }
 
 TEST(Anchor, ClosesALargerErrorAfterALongWay)
 {
     Loop loop(room_with_circle(), {0.5, -0.3, 0.05});
     Anchor anchor = anchor_with();
-    const auto fit = anchor.align(
-        loop.map.view(), loop.travel, loop.time_s, loop.believed(3), fit_against_all_scans(),
-        loop.scan(3));
-    ASSERT_TRUE(fit.has_value());
-    EXPECT_THAT(
-        apply_correction(loop.believed(3), fit->correction),
-        IsNearPose(loop.truth(3), 0.01, 0.005));
+    const auto fit = align_third_scan(anchor, loop);
+    expect_truth(loop, fit);
 }
 
 TEST(Anchor, RefusesWhatNoDriftExplains)
@@ -105,11 +111,7 @@ TEST(Anchor, RefusesWhatNoDriftExplains)
     AnchorOptions options;
     options.drift_share = 0.001;  // 0.1 m after this way
     Anchor anchor = anchor_with(options);
-    EXPECT_FALSE(anchor
-                     .align(
-                         loop.map.view(), loop.travel, loop.time_s, loop.believed(3),
-                         fit_against_all_scans(), loop.scan(3))
-                     .has_value());
+    EXPECT_FALSE(align_third_scan(anchor, loop).has_value());
 }
 
 TEST(Anchor, SaysNothingWhereOldScansDoNotExplainTheScan)
