@@ -15,6 +15,7 @@ void LineField::reset(const NeighbourGrid& grid, double radius_m)
 {
     grid_ = &grid;
     radius_m_ = static_cast<float>(radius_m);
+    lines_.reserve(grid.points().x.capacity());  // as many as the grid has room for
     lines_.assign(grid.points().size(), Line{});
 }
 

@@ -22,7 +22,11 @@ void WideSearch::drawRaster(const PointsView& reference, double margin_m)
     height_ = static_cast<int>((*high_y + margin_m - min_y_) / kCell_m) + 1;
     const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     levels_.resize(kLevels);
-    for (auto& level : levels_) level.assign(cells, 0);
+    for (auto& level : levels_)
+    {
+        if (level.capacity() < cells) level.reserve(2 * cells);  // so that it grows seldom
+        level.assign(cells, 0);
+    }
 
     auto& fine = levels_[0];
     for (std::size_t i = 0; i < reference.size; ++i)
