@@ -70,8 +70,7 @@ void LoopSearchOptions::validate() const
 LoopSearch::LoopSearch(const LoopSearchOptions& options, const IcpOptions& icp, std::uint64_t seed)
     : options_(options),
       icp_(refinement(icp)),
-      old_density_(near(options.vicinity_m)),
-      local_density_(near(options.vicinity_m)),
+      density_(near(options.vicinity_m)),
       old_draw_(draws(3600)),
       local_draw_(draws(options.local_points)),
       random_(seed)
@@ -100,11 +99,11 @@ std::optional<Pose2> LoopSearch::search(
     searched_path_m_ = travel.path();
 
     Moment moment{time_s, pose_map_vehicle.x, pose_map_vehicle.y, 0, old_end};
-    old_draw_.draw(map, old_density_, moment, std::nullopt, random_, old_);
+    old_draw_.draw(map, density_, moment, std::nullopt, random_, old_);
     if (old_.indices.size() < kMinOldPoints) return std::nullopt;
     moment.scans_begin = travel.scansBefore(options_.local_path_m);
     moment.scans_end = map.scans.size();
-    local_draw_.draw(map, local_density_, moment, std::nullopt, random_, local_);
+    local_draw_.draw(map, density_, moment, std::nullopt, random_, local_);
 
     const auto fit = find(path_m);
     if (!fit)

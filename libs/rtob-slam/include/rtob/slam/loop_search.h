@@ -85,8 +85,7 @@ class LoopSearch
     LoopSearchOptions options_;
     WideSearch search_;
     Icp icp_;
-    TimeDensity old_density_;
-    TimeDensity local_density_;
+    TimeDensity density_;
     ReferenceDraw old_draw_, local_draw_;
     Random random_;
     Reference old_, local_;
