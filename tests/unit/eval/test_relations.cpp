@@ -9,28 +9,17 @@
 #include <random>
 
 #include "error_message.h"
+#include "random_walk.h"
 
 using namespace rtob;
 using rtob::test::error_message;
+using rtob::test::random_walk;
 using testing::HasSubstr;
 
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
 constexpr double rad_per_deg = pi / 180;
-
-/// A walk with turns, one pose a second from t = 1e9 s.
-std::vector<StampedPose2> random_walk(std::size_t n, unsigned seed)
-{
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<double> step(-1, 1);
-    std::vector<StampedPose2> walk{{1e9, {}}};
-    while (walk.size() < n)
-        walk.push_back(
-            {walk.back().time_s + 1,
-             compose(walk.back().pose, {step(generator), step(generator), step(generator)})});
-    return walk;
-}
 
 /// The true relation between each pose and the one three later.
 std::vector<Relation> true_relations(const std::vector<StampedPose2>& walk)
