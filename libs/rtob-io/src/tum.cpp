@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/io/atomic_file.h>
-#include <rtob/io/log_reader.h>
 #include <rtob/io/tum.h>
 
 #include <array>
@@ -8,7 +7,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "line_source.h"
+#include "data_lines.h"
 #include "text_fields.h"
 
 namespace rtob
@@ -69,27 +68,13 @@ void write_tum(const std::string& file, const std::vector<StampedPose2>& poses)
 std::vector<StampedPose2> read_tum(const std::string& file)
 {
     std::vector<StampedPose2> poses;
-    std::size_t line_number = 0;
-    const auto place = [&line_number]
-    { return line_number == 0 ? std::string() : "line " + std::to_string(line_number); };
-    try
-    {
-        LineSource lines(file);
-        for (++line_number; const auto line = lines.next(); ++line_number)
+    for_each_data_line(
+        file, "A TUM line is: time_s x y z qx qy qz qw",
+        [&](std::string_view line)
         {
-            const auto begin = line->find_first_not_of(" \t");
-            if (begin == std::string_view::npos || (*line)[begin] == '#') continue;
-            poses.push_back(parse_line(*line));
-        }
-    }
-    catch (const ByteSourceError& error)
-    {
-        throw LogError(file, place(), error.what(), error.fix());
-    }
-    catch (const FieldError& error)
-    {
-        throw LogError(file, place(), error.what(), "A TUM line is: time_s x y z qx qy qz qw");
-    }
+            poses.push_back(parse_line(line));
+            return true;
+        });
     return poses;
 }
 }  // namespace rtob
