@@ -3,24 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
+
+#include "stamp_index.h"
 
 namespace rtob
 {
 namespace
 {
 using Trajectory = std::vector<StampedPose2>;
-
-std::string seconds(double time_s)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, "%.6f s", time_s);
-    return text;
-}
 
 void check_stamps(const Trajectory& trajectory, const std::string& name)
 {
@@ -31,55 +23,6 @@ void check_stamps(const Trajectory& trajectory, const std::string& name)
                 "the stamp of pose " + std::to_string(i + 1) + " of the " + name +
                 " is not finite");
 }
-
-/// The poses of one trajectory by stamp; those that share a stamp stay in their order.
-class StampIndex
-{
- public:
-    explicit StampIndex(const Trajectory& trajectory)
-        : trajectory_(trajectory), order_(trajectory.size())
-    {
-        std::iota(order_.begin(), order_.end(), std::size_t{0});
-        std::stable_sort(
-            order_.begin(), order_.end(),
-            [&](std::size_t a, std::size_t b) { return stamp(a) < stamp(b); });
-    }
-
-    /// The place, in order of stamps, of the first pose with the stamp nearest to `time_s`.
-    [[nodiscard]] std::size_t nearestPlace(double time_s) const
-    {
-        const auto after = firstPlaceFrom(time_s);
-        if (after == 0) return 0;
-        const double before_s = stamp(order_[after - 1]);
-        if (after < order_.size() && stamp(order_[after]) - time_s < time_s - before_s)
-            return after;
-        return firstPlaceFrom(before_s);
-    }
-
-    [[nodiscard]] std::size_t size() const { return order_.size(); }
-    [[nodiscard]] std::size_t pose(std::size_t place) const { return order_[place]; }
-    [[nodiscard]] double stampAt(std::size_t place) const { return stamp(order_[place]); }
-
-    [[nodiscard]] std::string range() const
-    {
-        return std::to_string(size()) + " poses from " + seconds(stampAt(0)) + " to " +
-               seconds(stampAt(size() - 1));
-    }
-
- private:
-    [[nodiscard]] double stamp(std::size_t pose) const { return trajectory_[pose].time_s; }
-
-    [[nodiscard]] std::size_t firstPlaceFrom(double time_s) const
-    {
-        const auto found = std::lower_bound(
-            order_.begin(), order_.end(), time_s,
-            [&](std::size_t pose, double wanted_s) { return stamp(pose) < wanted_s; });
-        return static_cast<std::size_t>(found - order_.begin());
-    }
-
-    const Trajectory& trajectory_;
-    std::vector<std::size_t> order_;
-};
 
 /// A pose of the shorter trajectory that wants a stamp of the longer one.
 struct Claim
@@ -132,7 +75,7 @@ void check_pose(const StampedPose2& stamped, const char* name)
     const Pose2& pose = stamped.pose;
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw))
         throw std::runtime_error(
-            "the pose of the " + std::string(name) + " at " + seconds(stamped.time_s) +
+            "the pose of the " + std::string(name) + " at " + stamp_text(stamped.time_s) +
             " is not finite");
 }
 
@@ -142,8 +85,8 @@ void check_pose(const StampedPose2& stamped, const char* name)
 {
     throw std::runtime_error(
         "no stamp of the estimate (" + estimate.range() + ") is within " +
-        seconds(max_difference_s) + " of a stamp of the reference (" + reference.range() +
-        "): the nearest two are " + seconds(nearest_s) +
+        stamp_text(max_difference_s) + " of a stamp of the reference (" + reference.range() +
+        "): the nearest two are " + stamp_text(nearest_s) +
         " apart. Take a reference of the same log and clock, or allow a larger difference");
 }
 }  // namespace

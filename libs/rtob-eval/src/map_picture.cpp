@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/eval/map_picture.h>
-#include <rtob/io/atomic_file.h>
 
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "picture_frame.h"
 #include "picture_layers.h"
+#include "png_file.h"
 #include "point_shading.h"
 
 namespace rtob
 {
 namespace
 {
-const cv::Scalar page_bgr(251, 249, 247), wall_bgr(66, 48, 34);
+const cv::Scalar wall_bgr(66, 48, 34);
 
 /// 1234567 as "1 234 567".
 std::string grouped(std::size_t number)
@@ -43,13 +42,6 @@ std::string facts_of(const MapPictureInput& input, const Box& visible_map)
            grouped(input.points_map.size) + " points,  " + rounded(length_m(input.path)) +
            " m driven in " + grouped(input.path.size()) + " poses";
 }
-
-void resize(Canvas& canvas, double factor, int interpolation)
-{
-    cv::Mat resized;
-    cv::resize(canvas.image, resized, {}, factor, factor, interpolation);
-    canvas.image = resized;
-}
 }  // namespace
 
 cv::Mat draw_map(const MapPictureInput& input)
@@ -59,29 +51,23 @@ cv::Mat draw_map(const MapPictureInput& input)
     const Box visible_map = visible_box(input.points_map, input.path);
     const PictureFrame frame = fitted_frame(visible_map, input.max_long_side_px);
 
-    Canvas canvas{cv::Mat(frame.picture_px, CV_8UC3, page_bgr), 1, frame};
+    Canvas canvas = blank_canvas(frame, 1);
     draw_ground(canvas);
     shade_points(canvas.image, input.points_map, frame, wall_bgr);
     // Walls keep the picture's own pixels, which makes them crisp; lines and letters are drawn
     // larger.
     canvas.zoom = 2;
-    resize(canvas, canvas.zoom, cv::INTER_NEAREST);
+    cv::resize(canvas.image, canvas.image, frame.picture_px * canvas.zoom, 0, 0, cv::INTER_NEAREST);
     draw_path(canvas, input.path);
     draw_start_and_end(canvas, input.path);
     draw_header(canvas, input.title, facts_of(input, visible_map));
-    draw_footer(canvas, !input.path.empty());
-    resize(canvas, 1.0 / canvas.zoom, cv::INTER_AREA);
-    return canvas.image;
+    draw_scale_bar(canvas);
+    if (!input.path.empty()) draw_time_legend(canvas);
+    return finished_picture(canvas);
 }
 
 void write_map_picture(const std::string& file, const MapPictureInput& input)
 {
-    std::vector<uchar> png;
-    if (!cv::imencode(".png", draw_map(input), png))
-        throw std::runtime_error("the picture " + file + " cannot be encoded");
-    AtomicFile out(file);
-    out.stream().write(
-        reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    out.commit();
+    write_png(file, draw_map(input));
 }
 }  // namespace rtob

@@ -2,6 +2,7 @@
 #include <rtob/eval/relations.h>
 
 #include <array>
+#include <boost/iostreams/filter/bzip2.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
 #include <charconv>
@@ -65,13 +66,14 @@ bool is_skipped(std::string_view line)
     return word.empty() || word.front() == '#';
 }
 
-/// Whether the file starts with gzip's two magic bytes; leaves it at its start.
-bool is_gzip(std::ifstream& in)
+/// Whether the file starts with these bytes; leaves it at its start.
+bool starts_with(std::ifstream& in, std::string_view mark)
 {
-    const bool found = in.get() == 0x1F && in.get() == 0x8B;
+    std::string beginning(mark.size(), '\0');
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     in.clear();
     in.seekg(0);
-    return found;
+    return beginning == mark;
 }
 }  // namespace
 
@@ -81,9 +83,10 @@ std::vector<Relation> read_relations(const std::string& file)
     if (!bytes || bytes.peek() == std::ifstream::traits_type::eof())
         throw std::runtime_error("relations file " + file + " is missing, unreadable or empty");
     boost::iostreams::filtering_istream lines;
-    if (is_gzip(bytes)) lines.push(boost::iostreams::gzip_decompressor());
+    if (starts_with(bytes, "\x1F\x8B")) lines.push(boost::iostreams::gzip_decompressor());
+    if (starts_with(bytes, "BZh")) lines.push(boost::iostreams::bzip2_decompressor());
     lines.push(bytes);
-    lines.exceptions(std::ios::badbit);  // so that damaged gzip data throws
+    lines.exceptions(std::ios::badbit);  // so that damaged data throws
 
     std::vector<Relation> relations;
     std::size_t line_number = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/eval/trajectory_errors.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -85,5 +86,15 @@ PoseErrors relative_errors(
         errors.push_back(error_of(to, between(reference, estimate)));
     }
     return with_statistics(std::move(errors));
+}
+
+std::vector<PoseError> worst_errors(const PoseErrors& errors, std::size_t count)
+{
+    auto worst = errors.errors;
+    std::stable_sort(
+        worst.begin(), worst.end(),
+        [](const PoseError& a, const PoseError& b) { return a.distance_m > b.distance_m; });
+    worst.resize(std::min(count, worst.size()));
+    return worst;
 }
 }  // namespace rtob

@@ -146,10 +146,10 @@ TEST(RelationErrors, WithoutAnyMatchAreAnError)
     const auto error = [](const std::vector<StampedPose2>& trajectory) {
         return error_message([&] { (void)relation_errors(trajectory, {{100, 200, {}}}); });
     };
-    EXPECT_THAT(error({}), HasSubstr("the trajectory is empty"));
+    EXPECT_THAT(error({}), HasSubstr("the trajectory has no poses"));
     EXPECT_THAT(
         error({{1, {}}, {2, {}}}),
-        HasSubstr("spans 1.000000 s to 2.000000 s, the first relation 100"));
+        HasSubstr("from 1.000000 s to 2.000000 s, the first relation starts at 100"));
     EXPECT_THROW((void)relation_errors({{1, {}}}, {}), std::runtime_error);
 }
 

@@ -19,9 +19,9 @@ struct Relation
     Pose2 pose_1_2;
 };
 
-/// Reads lines `t1 t2 x y z roll pitch yaw` (s, m, rad), plain or packed by gzip; empty lines and
-/// lines that start with # are skipped. Throws std::runtime_error that names file and line for
-/// anything else, a motion out of the plane included.
+/// Reads lines `t1 t2 x y z roll pitch yaw` (s, m, rad), plain or packed by gzip or bzip2; empty
+/// lines and lines that start with # are skipped. Throws std::runtime_error that names file and
+/// line for anything else, a motion out of the plane included.
 [[nodiscard]] std::vector<Relation> read_relations(const std::string& file);
 
 /// The part of a trajectory's motion from t1 to t2 that the relation does not explain:
@@ -31,6 +31,8 @@ struct RelationResidual
     std::size_t relation = 0;  ///< its index in the list
     double distance_m = 0;     ///< length of the residual's translation
     double turn_deg = 0;       ///< size of the residual's rotation, [0, 180]
+    std::size_t pose_1 = 0;    ///< the poses at t1 and t2, indices in the trajectory
+    std::size_t pose_2 = 0;
 };
 
 struct MeanStd

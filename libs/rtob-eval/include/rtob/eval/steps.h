@@ -2,7 +2,10 @@
 #pragma once
 #include <rtob/core/pose2.h>
 
+#include <array>
 #include <cstddef>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 /// Which pairs of poses a relative error looks at; evo's rules.
@@ -19,6 +22,19 @@ enum class StepChoice
     Consecutive,  ///< each step begins where the last one ended
     All           ///< a step from every pose, as far as there is one
 };
+
+constexpr auto enum_names(DeltaUnit)
+{
+    using Entry = std::pair<DeltaUnit, std::string_view>;
+    return std::array<Entry, 2>{{{DeltaUnit::Frames, "frames"}, {DeltaUnit::Metres, "metres"}}};
+}
+
+constexpr auto enum_names(StepChoice)
+{
+    using Entry = std::pair<StepChoice, std::string_view>;
+    return std::array<Entry, 2>{
+        {{StepChoice::Consecutive, "consecutive"}, {StepChoice::All, "all"}}};
+}
 
 struct StepOptions
 {

@@ -40,4 +40,7 @@ struct RelativeErrorOptions
 /// Throws std::runtime_error when the path has no step that long.
 [[nodiscard]] PoseErrors relative_errors(
     const std::vector<PoseMatch>& matches, const RelativeErrorOptions& options = {});
+
+/// The `count` errors of the largest distance, the worst first.
+[[nodiscard]] std::vector<PoseError> worst_errors(const PoseErrors& errors, std::size_t count);
 }  // namespace rtob
