@@ -1,105 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <rtob/eval/relations.h>
-#include <rtob/io/tum.h>
+#include <rtob/io/pose_file.h>
 
-#include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "eval/eval_files.h"
+#include "eval/eval_flags.h"
+#include "eval/eval_report.h"
 #include "exit_code.h"
+#include "usage_error.h"
 #include "verbs.h"
 
 namespace rtob
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
+constexpr const char* footer =
+    "EST is a trajectory.tum of a run. REF is a trajectory of the same log - a TUM file, lines\n"
+    "`time_s x y yaw`, or a rawlog with poses - or hand-checked relations, lines\n"
+    "`t1 t2 x y z roll pitch yaw`. All may be packed by gzip or bzip2; the content decides.\n"
+    "Against a trajectory: ATE and RPE as evo defines them. Against relations: mean and standard\n"
+    "deviation of their errors (Kuemmerle et al. 2009); the flags above are not for them.\n"
+    "docs/metrics.md says what each figure means.";
 
-constexpr std::size_t worst_shown = 5;
-
-struct EvalFlags
+void refuse_flags_of_trajectories(const EvalFlags& flags)
 {
-    std::string trajectory, relations;
-    bool json = false;
-};
-
-struct Evaluation
-{
-    std::vector<Relation> relations;
-    RelationErrors errors;
-};
-
-Json mean_std_json(const MeanStd& figure)
-{
-    return {{"mean", figure.mean}, {"std", figure.std}};
-}
-
-Json worst_json(const Evaluation& evaluation)
-{
-    Json worst = Json::array();
-    for (const auto& residual : worst_residuals(evaluation.errors, worst_shown))
-    {
-        const auto& relation = evaluation.relations[residual.relation];
-        worst.push_back(
-            {{"t1_s", relation.t1_s},
-             {"t2_s", relation.t2_s},
-             {"translation_m", residual.distance_m},
-             {"rotation_deg", residual.turn_deg}});
-    }
-    return worst;
-}
-
-void print_json(const Evaluation& evaluation)
-{
-    const auto& errors = evaluation.errors;
-    const Json json{
-        {"relations_used", errors.residuals.size()},
-        {"relations_without_pose", errors.unmatched_relations},
-        {"translation_m", mean_std_json(errors.distance_m)},
-        {"squared_translation_m2", mean_std_json(errors.squared_distance_m2)},
-        {"rotation_deg", mean_std_json(errors.turn_deg)},
-        {"squared_rotation_deg2", mean_std_json(errors.squared_turn_deg2)},
-        {"worst", worst_json(evaluation)}};
-    std::cout << json.dump(2) << "\n";
-}
-
-void print_figure(const char* name, const MeanStd& figure, const char* unit)
-{
-    std::printf("%-20s %10.4f +- %.4f %s\n", name, figure.mean, figure.std, unit);
-}
-
-void print_text(const Evaluation& evaluation)
-{
-    const auto& errors = evaluation.errors;
-    std::printf("%zu relations used", errors.residuals.size());
-    if (errors.unmatched_relations > 0)
-        std::printf(", %zu name a time without a pose", errors.unmatched_relations);
-    std::printf("; mean +- standard deviation\n");
-    print_figure("translation", errors.distance_m, "m");
-    print_figure("translation squared", errors.squared_distance_m2, "m^2");
-    print_figure("rotation", errors.turn_deg, "deg");
-    print_figure("rotation squared", errors.squared_turn_deg2, "deg^2");
-    std::printf("worst:\n");
-    for (const auto& residual : worst_residuals(errors, worst_shown))
-    {
-        const auto& relation = evaluation.relations[residual.relation];
-        std::printf(
-            "  %8.3f m %8.3f deg  from %.6f to %.6f\n", residual.distance_m, residual.turn_deg,
-            relation.t1_s, relation.t2_s);
-    }
+    const auto flag = flags.trajectoryFlag();
+    if (!flag.empty() && pose_file_kind(flags.reference) == PoseFileKind::Relations)
+        throw UsageError(flag + ": " + flags.reference + " holds relations, which do not need it");
 }
 
 int eval(const EvalFlags& flags)
 {
-    Evaluation evaluation;
-    const auto trajectory = read_tum(flags.trajectory);
-    evaluation.relations = read_relations(flags.relations);
-    evaluation.errors = relation_errors(trajectory, evaluation.relations);
-    if (flags.json)
-        print_json(evaluation);
-    else
-        print_text(evaluation);
+    const auto options = score_options(flags);
+    refuse_flags_of_trajectories(flags);
+    const auto evaluation = evaluate(flags.estimate, flags.reference, options);
+    if (!flags.folder.empty())
+        write_eval_files(
+            flags.folder, evaluation,
+            std::filesystem::path(flags.estimate).filename().string() + " against " +
+                std::filesystem::path(flags.reference).filename().string());
+    std::cout << (flags.json ? report_json(evaluation) : report_text(evaluation));
     return kExitOk;
 }
 }  // namespace
@@ -107,14 +49,30 @@ int eval(const EvalFlags& flags)
 VerbAction declare_eval(CLI::App& command)
 {
     const auto flags = std::make_shared<EvalFlags>();
-    command.add_option("TRAJECTORY", flags->trajectory, "a trajectory.tum of a run")
+    command.add_option("EST", flags->estimate, "the trajectory to score")
         ->type_name("")
         ->required();
-    command
-        .add_option("RELATIONS", flags->relations, "lines t1 t2 x y z roll pitch yaw; may be .gz")
+    command.add_option("REF", flags->reference, "the truth: a trajectory or relations")
         ->type_name("")
         ->required();
+    const auto add = [&](const char* names, auto& value, const char* what, const char* meaning)
+    { return command.add_option(names, value, meaning)->type_name(what); };
+    add("-o,--output", flags->folder, "FOLDER",
+        "write eval.txt, eval.json, eval_errors.png and eval_path.png");
     command.add_flag("--json", flags->json, "print JSON");
+    add("--align", flags->align, "HOW", "none, origin or se2 (least squares); default se2");
+    add("--max-diff", flags->max_difference, "S", "between stamps that match; default 0.01");
+    add("--delta", flags->deltas, "N|Nm",
+        "steps of the RPE, in frames or metres (5, 2.5m); may be given again; default 1")
+        ->allow_extra_args(false);
+    command.add_flag(
+        "--all-steps", flags->all_steps, "steps from every pose, not one after the other");
+    command.add_flag(
+        "--steps-of-reference", flags->steps_of_reference,
+        "measure metres along REF, not along EST");
+    add("--delta-tolerance", flags->tolerance, "SHARE",
+        "of a step in metres, with --all-steps; default 0.1");
+    command.footer(footer);
     return [flags] { return eval(*flags); };
 }
 }  // namespace rtob

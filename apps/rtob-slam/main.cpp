@@ -22,7 +22,8 @@ struct Verb
 
 constexpr std::array<Verb, 3> verbs{
     {{"run", "turn a laser log into a trajectory and a map", rtob::declare_run},
-     {"eval", "score a trajectory against hand-checked relations", rtob::declare_eval},
+     {"eval", "score a trajectory against the truth: a trajectory or relations",
+      rtob::declare_eval},
      {"options", "list every key of the .ini with its default", rtob::declare_options}}};
 
 struct DeclaredVerb

@@ -54,7 +54,7 @@ TEST(CommandLine, RefusesWhatItDoesNotKnowWithASuggestion)
     expect_usage_error({"run"}, "LOG");
     expect_usage_error({"run", "log", "--sed", "1"}, "unknown flag --sed; did you mean '--seed'?");
     expect_usage_error({"run", "log", "second"}, "second");
-    expect_usage_error({"eval", "a.tum"}, "RELATIONS");
+    expect_usage_error({"eval", "a.tum"}, "REF");
 }
 
 TEST(CommandLine, RefusesBadValuesOfFlags)
