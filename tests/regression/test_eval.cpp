@@ -81,6 +81,9 @@ TEST_F(Eval, GivesTheSameFiguresAsJson)
     EXPECT_NEAR(json["ate"]["rotation_deg"]["max"], 0, 1e-9);
     ASSERT_EQ(json["rpe"].size(), 2u);
     EXPECT_EQ(json["rpe"][0]["delta"], 3);
+    EXPECT_EQ(json["rpe"][0]["unit"], "frames");
+    EXPECT_EQ(json["rpe"][0]["steps"], "consecutive");
+    EXPECT_EQ(json["rpe"][0]["path"], "estimate");
     EXPECT_EQ(json["rpe"][0]["count"], 1);
     EXPECT_EQ(json["rpe"][1]["count"], 3);
     EXPECT_NEAR(json["rpe"][1]["translation_m"]["sse"], 0.25, 1e-9);
@@ -128,7 +131,7 @@ TEST_F(Eval, SaysWhatIsWrongWithTheFiles)
     expectFailure({estimate_, later}, estimate_ + " against " + later + ": no stamp");
     const auto one = write("one.tum", "10 0 0 0 0 0 0 1\n");
     expectFailure({one, reference_}, "alignment se2 finds no turn");
-    expectFailure({one, reference_, "--align", "origin"}, "1 frames apart");
+    expectFailure({one, reference_, "--align", "origin"}, "1 frame apart");
     const auto nan = write("nan.tum", "10 0 0 0 0 0 0 1\n10.5 nan 0 0 0 0 0 1\n");
     expectFailure({nan, reference_}, nan + ", line 2: x is not a finite number");
     const auto strangers = write("strangers", "70 71 1 0 0 0 0 0.1\n");

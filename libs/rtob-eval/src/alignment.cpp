@@ -55,6 +55,8 @@ void check_turn_is_held(const Moments& sums, std::size_t count)
     constexpr double standing_m = 1e-6;  // files hold positions to the micrometre
     const double least_squares_m2 = static_cast<double>(count) * standing_m * standing_m;
     const std::string advice = " Align by the origin, or not at all";
+    if (count == 1)
+        throw std::runtime_error("alignment se2 finds no turn: only one pose is matched." + advice);
     if (sums.estimate_squares <= least_squares_m2 || sums.reference_squares <= least_squares_m2)
         throw std::runtime_error(
             "alignment se2 finds no turn: the " + std::to_string(count) + " matched poses of the " +

@@ -53,9 +53,10 @@ std::vector<Pose2> path_of(const std::vector<PoseMatch>& matches, Pose2 PoseMatc
 std::string delta_text(const StepOptions& options)
 {
     char text[64];
+    const char* const frames = options.delta == 1 ? "frame" : "frames";
     std::snprintf(
         text, sizeof text, "%g %s", options.delta,
-        options.unit == DeltaUnit::Frames ? "frames" : "m");
+        options.unit == DeltaUnit::Frames ? frames : "m");
     return text;
 }
 }  // namespace

@@ -29,37 +29,53 @@ std::vector<double> numbers_of(std::string_view line)
     return numbers;
 }
 
-/// What a line of eight numbers is; nothing when it could be both or neither.
-std::optional<PoseFileKind> kind_of_eight(const std::vector<double>& n)
+/// What a line of eight numbers may be: one of them, both, or neither.
+struct LineFit
+{
+    bool tum = false, relation = false;
+};
+
+LineFit fit_of_eight(const std::vector<double>& n)
 {
     for (const double number : n)
-        if (!std::isfinite(number)) return std::nullopt;
+        if (!std::isfinite(number)) return {};
     constexpr double norm_tolerance = 0.01;  // as in reading TUM
     const double norm = std::sqrt(n[4] * n[4] + n[5] * n[5] + n[6] * n[6] + n[7] * n[7]);
-    const bool is_tum = std::abs(norm - 1) <= norm_tolerance;
-    const bool is_relation = n[4] == 0 && n[5] == 0 && n[6] == 0;
-    if (is_tum == is_relation) return std::nullopt;
-    return is_tum ? PoseFileKind::Tum : PoseFileKind::Relations;
+    return {std::abs(norm - 1) <= norm_tolerance, n[4] == 0 && n[5] == 0 && n[6] == 0};
 }
 
 PoseFileKind text_kind(const std::string& file)
 {
     std::optional<PoseFileKind> kind;
-    std::size_t lines = 0;
+    bool has_lines = false, may_be_tum = false;
+    const auto take_eight = [&](const std::vector<double>& numbers)
+    {
+        const auto fit = fit_of_eight(numbers);
+        may_be_tum = may_be_tum || fit.tum;
+        if (fit.tum != fit.relation) kind = fit.tum ? PoseFileKind::Tum : PoseFileKind::Relations;
+    };
     for_each_data_line(
         file, known_kinds,
         [&](std::string_view line)
         {
             const auto numbers = numbers_of(line);
-            ++lines;
-            if (numbers.size() == planar_words) kind = PoseFileKind::Planar;
-            if (numbers.size() == tum_words) kind = kind_of_eight(numbers);
-            if (numbers.size() != planar_words && numbers.size() != tum_words)
+            has_lines = true;
+            if (numbers.size() == planar_words)
+                kind = PoseFileKind::Planar;
+            else if (numbers.size() == tum_words)
+                take_eight(numbers);
+            else
                 throw FieldError("a line of " + std::to_string(numbers.size()) + " numbers");
             return !kind;
         });
-    if (lines == 0) throw LogError(file, "", "the file holds no poses", known_kinds);
-    return kind.value_or(PoseFileKind::Tum);  // a vehicle that never turns, for instance
+    if (!has_lines) throw LogError(file, "", "the file holds no poses", known_kinds);
+    if (kind) return *kind;
+    if (may_be_tum) return PoseFileKind::Tum;  // a vehicle that never turns
+    throw LogError(
+        file, "",
+        "its lines of eight numbers are neither TUM (a unit quaternion at the end) nor relations "
+        "in the plane (z, roll and pitch 0)",
+        known_kinds);
 }
 
 StampedPose2 parse_planar(std::string_view line)

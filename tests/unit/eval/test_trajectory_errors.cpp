@@ -137,7 +137,8 @@ TEST(RelativeErrors, NameTheStepThatIsTooLong)
         error_message([&] { static_cast<void>(relative_errors(one, options)); }),
         HasSubstr("no two of the 1 matched poses are 2.5 m apart"));
     EXPECT_THAT(
-        error_message([&] { static_cast<void>(relative_errors(one)); }), HasSubstr("1 frames"));
+        error_message([&] { static_cast<void>(relative_errors(one)); }),
+        HasSubstr("are 1 frame apart"));
 }
 
 TEST(ScoreTrajectory, IsZeroForTheTruth)

@@ -81,6 +81,7 @@ TEST(PoseFileKind, RefusesOtherFiles)
     EXPECT_THAT(
         kind_error("1 0 0 0 0 1 0 0 0 0 1 0\n"),
         AllOf(HasSubstr("line 1: a line of 12 numbers"), HasSubstr("relations")));
+    EXPECT_THAT(kind_error("1 2 3 4 0.5 0 0 0.1\n"), HasSubstr("neither TUM (a unit quaternion"));
     EXPECT_THAT(kind_error({"\x01\x02\x00\x03", 4}), HasSubstr("neither text nor MRPT"));
 }
 
