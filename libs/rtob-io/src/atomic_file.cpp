@@ -31,10 +31,15 @@ AtomicFile::~AtomicFile()
     std::remove(part_file_.c_str());
 }
 
+void AtomicFile::check() const
+{
+    if (!stream_) fail(file_, errno);
+}
+
 void AtomicFile::commit()
 {
     stream_.close();
-    if (!stream_) fail(file_, errno);
+    check();
     if (std::rename(part_file_.c_str(), file_.c_str()) != 0) fail(file_, errno);
     part_file_.clear();
 }

@@ -16,6 +16,8 @@ class AtomicFile
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
+    /// Throws when what was written so far cannot be, as on a full disk.
+    void check() const;
     void commit();
 
  private:
