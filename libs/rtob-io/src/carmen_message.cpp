@@ -45,11 +45,29 @@ void fill_angles_from_count(CarmenScan& scan)
     scan.step_rad = steps == 0 ? 0 : field_rad / static_cast<double>(steps);
 }
 
+/// MRPT holds whole numbers; each beam needs its own.
+void parse_remissions(TextFields& fields, CarmenScan& scan)
+{
+    const auto count = fields.count("num_remissions", most_beams);
+    scan.remissions.clear();
+    bool fits = count == scan.ranges_m.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const double remission = fields.number("remission");
+        fits = fits && remission == std::trunc(remission) && std::abs(remission) < 1e9;
+        if (fits) scan.remissions.push_back(static_cast<std::int32_t>(remission));
+    }
+    if (!fits) scan.remissions.clear();
+    scan.lost_remissions = fits ? 0 : count;
+}
+
 void parse_flaser(TextFields& fields, CarmenScan& scan)
 {
     parse_ranges(fields, scan.ranges_m);
     fill_angles_from_count(scan);
-    scan.max_range_m = 0;
+    scan.max_range_m = scan.accuracy_m = 0;
+    scan.remissions.clear();
+    scan.lost_remissions = 0;
     scan.pose_log_laser = parse_pose(fields, "x", "y", "theta");
     scan.pose_odom_vehicle = parse_pose(fields, "odom_x", "odom_y", "odom_theta");
     scan.stamp_100ns = parse_stamp(fields);
@@ -62,11 +80,10 @@ void parse_robotlaser(TextFields& fields, CarmenScan& scan)
     static_cast<void>(fields.finite_number("field_of_view"));
     scan.step_rad = fields.finite_number("angular_resolution");
     scan.max_range_m = fields.finite_number("maximum_range");
-    static_cast<void>(fields.finite_number("accuracy"));
+    scan.accuracy_m = fields.finite_number("accuracy");
     static_cast<void>(fields.word("remission_mode"));
     parse_ranges(fields, scan.ranges_m);
-    const auto remissions = fields.count("num_remissions", most_beams);
-    for (std::size_t i = 0; i < remissions; ++i) static_cast<void>(fields.word("remission"));
+    parse_remissions(fields, scan);
     scan.pose_log_laser = parse_pose(fields, "laser_pose_x", "laser_pose_y", "laser_pose_theta");
     scan.pose_odom_vehicle = parse_pose(fields, "robot_pose_x", "robot_pose_y", "robot_pose_theta");
     for (const char* name :

@@ -28,8 +28,11 @@ struct CarmenScan
     std::vector<float> ranges_m;
     double first_angle_rad = 0;  ///< of beam 0, in the laser's frame
     double step_rad = 0;
-    double max_range_m = 0;  ///< 0 where the line does not tell
-    Pose2 pose_log_laser;    ///< "log" is odom in raw logs, map in corrected ones
+    std::vector<std::int32_t> remissions;  ///< one a beam, or none
+    std::size_t lost_remissions = 0;       ///< that are not whole numbers, or not one a beam
+    double max_range_m = 0;                ///< 0 where the line does not tell
+    double accuracy_m = 0;                 ///< likewise
+    Pose2 pose_log_laser;                  ///< "log" is odom in raw logs, map in corrected ones
     Pose2 pose_odom_vehicle;
     std::int64_t stamp_100ns = 0;  ///< since 1970
 };

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "carmen_observations.h"
 
+#include "mrpt_clock.h"
+
 namespace rtob
 {
 namespace
 {
-constexpr float max_range_when_untold_m = 1000.0F;
-
-mrpt::Clock::time_point to_clock(std::int64_t stamp_100ns)
-{
-    // MRPT counts 100 ns since 1601; its fromDouble() would round to the step of a double, which
-    // depends on the version's arithmetic.
-    constexpr std::int64_t ticks_1601_to_1970 = 116'444'736'000'000'000;
-    return mrpt::Clock::time_point(mrpt::Clock::duration(stamp_100ns + ticks_1601_to_1970));
-}
-
 const char* label_of(CarmenLaser laser)
 {
     const bool rear = laser == CarmenLaser::Rear || laser == CarmenLaser::RobotRear;
@@ -26,7 +18,7 @@ mrpt::obs::CObservation2DRangeScan::Ptr to_observation(
     const CarmenScan& scan, const Pose2& pose_vehicle_laser)
 {
     auto observation = mrpt::obs::CObservation2DRangeScan::Create();
-    observation->timestamp = to_clock(scan.stamp_100ns);
+    observation->timestamp = clock_of(scan.stamp_100ns);
     observation->sensorLabel = label_of(scan.laser);
 
     const auto beams = scan.ranges_m.size();
@@ -45,13 +37,17 @@ mrpt::obs::CObservation2DRangeScan::Ptr to_observation(
         valid[i] = scan.ranges_m[i] > 0 && scan.ranges_m[i] < observation->maxRange;
     // MRPT asserts on the null pointer of an empty vector.
     if (beams > 0) observation->loadFromVectors(beams, scan.ranges_m.data(), valid.data());
+    if (scan.accuracy_m > 0) observation->stdError = static_cast<float>(scan.accuracy_m);
+    if (scan.remissions.empty()) return observation;
+    observation->setScanHasIntensity(true);
+    for (std::size_t i = 0; i < beams; ++i) observation->setScanIntensity(i, scan.remissions[i]);
     return observation;
 }
 
 mrpt::obs::CObservationOdometry::Ptr to_observation(const CarmenOdometry& odometry)
 {
     auto observation = mrpt::obs::CObservationOdometry::Create();
-    observation->timestamp = to_clock(odometry.stamp_100ns);
+    observation->timestamp = clock_of(odometry.stamp_100ns);
     observation->sensorLabel = "odometry";
     const Pose2& pose = odometry.pose_odom_vehicle;
     observation->odometry = mrpt::poses::CPose2D(pose.x, pose.y, pose.yaw);

@@ -7,6 +7,9 @@
 
 namespace rtob
 {
+/// maxRange of scans whose log does not tell it.
+constexpr float max_range_when_untold_m = 1000.0F;
+
 /// The scan as MRPT has it. MRPT's beams lie symmetric about the sensor's x axis, so the middle of
 /// the field goes into the sensor's yaw. Invalid: ranges that are NaN, zero, negative or, where
 /// the log has a maximum range, not below it. The "no return" of FLASER logs is a large number

@@ -56,7 +56,11 @@ std::optional<LogEntry> CarmenReader::read_line(std::string_view line)
     if (name == "ODOM")
     {
         const auto odometry = parse_odom(fields);
-        if (survey_.lasers_carry_odometry) return std::nullopt;
+        if (survey_.lasers_carry_odometry)
+        {
+            ++losses_["ODOM lines: the laser lines carry the odometry"];
+            return std::nullopt;
+        }
         return LogEntry{to_observation(odometry), nullptr};
     }
     if (!is_message_name(name))
@@ -65,12 +69,19 @@ std::optional<LogEntry> CarmenReader::read_line(std::string_view line)
             "' stands where the name of a CARMEN message (FLASER, ODOM, ...) was expected");
     // Every message carries something, at least its stamp: a bare name is a cut line.
     static_cast<void>(fields.word("a message's content"));
+    ++losses_
+        [std::string(name) + (name == "PARAM" ? " lines: only laser mounts are taken from them"
+                                              : " lines: not of a laser or its odometry")];
     return std::nullopt;
 }
 
 std::optional<LogEntry> CarmenReader::read_scan(TextFields& fields)
 {
     parse_scan(fields, scan_);
+    if (scan_.lost_remissions > 0)
+        losses_["remissions that are not whole numbers, one a beam"] += scan_.lost_remissions;
+    if (survey_.is_corrected)
+        ++losses_["laser poses in another frame than the odometry, as in corrected logs"];
     const auto& pose_vehicle_laser =
         survey_.poses_vehicle_laser[static_cast<std::size_t>(scan_.laser)];
     auto scan = to_observation(scan_, pose_vehicle_laser);

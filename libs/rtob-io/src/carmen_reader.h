@@ -19,6 +19,7 @@ class CarmenReader : public LogReader
 
     [[nodiscard]] std::optional<LogEntry> next() override;
     [[nodiscard]] double progress() const override { return lines_.progress(); }
+    [[nodiscard]] LogLosses losses() const override { return losses_; }
 
  private:
     [[nodiscard]] std::optional<LogEntry> read_line(std::string_view line);
@@ -29,6 +30,7 @@ class CarmenReader : public LogReader
     CarmenSurvey survey_;
     LineSource lines_;
     CarmenScan scan_;
+    LogLosses losses_;
     mrpt::obs::CObservation::Ptr waiting_scan_;  ///< its odometry was given out just before
 };
 }  // namespace rtob

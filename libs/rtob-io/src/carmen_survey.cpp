@@ -35,6 +35,8 @@ class MountWatch
             constant_ = false;
     }
 
+    [[nodiscard]] bool changed() const { return !constant_; }
+
     [[nodiscard]] std::optional<Pose2> mount() const
     {
         const bool plausible = first_ && distance(*first_, Pose2{}) < farthest_mount_m;
@@ -65,6 +67,7 @@ class Survey
     {
         CarmenSurvey survey;
         survey.lasers_carry_odometry = lasers_carry_odometry_;
+        for (const auto& watch : watches_) survey.is_corrected |= watch.changed();
         for (std::size_t i = 0; i < carmen_laser_count; ++i)
             survey.poses_vehicle_laser[i] = mount(static_cast<CarmenLaser>(i));
         return survey;

@@ -16,6 +16,8 @@ struct CarmenSurvey
     /// The laser lines carry odometry: it is interpolated to the scan, while ODOM lines lie at
     /// other times and, in corrected logs, in another frame. Mixing both would make it jump.
     bool lasers_carry_odometry = false;
+    /// The laser's pose is not in the odometry's frame: somebody corrected it.
+    bool is_corrected = false;
 };
 
 /// Reads ahead until the vehicle has moved far enough to tell, mostly a few seconds of driving.

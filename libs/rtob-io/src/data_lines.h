@@ -2,6 +2,7 @@
 #pragma once
 #include <rtob/io/log_reader.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,32 +11,75 @@
 
 namespace rtob
 {
-/// Gives the lines of a text file, plain or packed, to `takes_more` until it returns false; empty
-/// lines and those that start with '#' are passed over. What goes wrong becomes a LogError with the
-/// line; a FieldError one with the given fix.
-template <class TakesMore>
-void for_each_data_line(const std::string& file, const char* field_fix, TakesMore&& takes_more)
+/// The lines of a text file, plain or packed, that hold data: empty ones and those that start with
+/// '#' are passed over. What goes wrong becomes a LogError with the line; a FieldError one with the
+/// given fix.
+class DataLines
 {
-    std::size_t line_number = 0;
-    const auto place = [&line_number]
-    { return line_number == 0 ? std::string() : "line " + std::to_string(line_number); };
-    try
+ public:
+    DataLines(const std::string& file, const char* field_fix) : file_(file), field_fix_(field_fix)
     {
-        LineSource lines(file);
-        for (++line_number; const auto line = lines.next(); ++line_number)
+        guarded([&] { lines_.emplace(file); });
+    }
+
+    /// What `parse` makes of the next line; nothing at the end.
+    template <class Parse>
+    [[nodiscard]] auto next(Parse&& parse)
+        -> std::optional<decltype(parse(std::declval<std::string_view>()))>
+    {
+        std::optional<decltype(parse(std::declval<std::string_view>()))> parsed;
+        guarded(
+            [&]
+            {
+                if (const auto line = nextLine()) parsed = parse(*line);
+            });
+        return parsed;
+    }
+
+    [[nodiscard]] double progress() const { return lines_->progress(); }
+
+ private:
+    [[nodiscard]] std::optional<std::string_view> nextLine()
+    {
+        while (const auto line = lines_->next())
         {
             const auto begin = line->find_first_not_of(" \t");
-            if (begin == std::string_view::npos || (*line)[begin] == '#') continue;
-            if (!takes_more(*line)) return;
+            if (begin != std::string_view::npos && (*line)[begin] != '#') return line;
         }
+        return std::nullopt;
+    }
+
+    template <class Step>
+    void guarded(Step&& step)
+    try
+    {
+        step();
     }
     catch (const ByteSourceError& error)
     {
-        throw LogError(file, place(), error.what(), error.fix());
+        throw LogError(file_, place(), error.what(), error.fix());
     }
     catch (const FieldError& error)
     {
-        throw LogError(file, place(), error.what(), field_fix);
+        throw LogError(file_, place(), error.what(), field_fix_);
     }
+
+    [[nodiscard]] std::string place() const
+    {
+        return lines_ ? "line " + std::to_string(lines_->line_number()) : std::string();
+    }
+
+    std::string file_;
+    const char* field_fix_;
+    std::optional<LineSource> lines_;
+};
+
+/// Gives the lines to `takes_more` until it returns false.
+template <class TakesMore>
+void for_each_data_line(const std::string& file, const char* field_fix, TakesMore&& takes_more)
+{
+    DataLines lines(file, field_fix);
+    while (const auto wants_more = lines.next(takes_more))
+        if (!*wants_more) return;
 }
 }  // namespace rtob

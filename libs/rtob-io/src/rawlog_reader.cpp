@@ -140,12 +140,18 @@ void RawlogReader::queue_entries_of(const mrpt::serialization::CSerializable::Pt
     {
         if (auto motion = actions->getBestMovementEstimation())
             waiting_.push_back({nullptr, std::move(motion)});
+        else if (actions->size() > 0)
+            ++losses_["actions without a movement in the plane"];
     }
     else if (const auto observation = std::dynamic_pointer_cast<CObservation>(object))
     {
-        if (!std::dynamic_pointer_cast<CObservationComment>(object))
+        if (std::dynamic_pointer_cast<CObservationComment>(object))
+            ++losses_["comments"];
+        else
             waiting_.push_back({observation, nullptr});
     }
+    else
+        ++losses_[std::string("objects of class ") + object->GetRuntimeClass()->className];
 }
 
 LogError RawlogReader::entry_error(const std::string& problem, const std::string& fix) const

@@ -20,6 +20,7 @@ class RawlogReader : public LogReader
 
     [[nodiscard]] std::optional<LogEntry> next() override;
     [[nodiscard]] double progress() const override;
+    [[nodiscard]] LogLosses losses() const override { return losses_; }
 
  private:
     class Stream;
@@ -32,5 +33,6 @@ class RawlogReader : public LogReader
     std::unique_ptr<Stream> stream_;
     std::deque<LogEntry> waiting_;
     std::size_t objects_read_ = 0;
+    LogLosses losses_;
 };
 }  // namespace rtob

@@ -3,6 +3,8 @@
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation.h>
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -34,6 +36,9 @@ struct LogEntry
     mrpt::obs::CActionRobotMovement2D::Ptr motion;  ///< odometry since the entry's last motion
 };
 
+/// What a reader did not give out or a writer could not hold, in words, and how often.
+using LogLosses = std::map<std::string, std::uint64_t>;
+
 /// Reads a log in file order, an entry at a time: a log may be larger than memory.
 class LogReader
 {
@@ -49,6 +54,9 @@ class LogReader
 
     /// How much of the file was read, 0 to 1.
     [[nodiscard]] virtual double progress() const = 0;
+
+    /// What of the log was passed over so far.
+    [[nodiscard]] virtual LogLosses losses() const { return {}; }
 };
 
 /// Opens an MRPT rawlog (either format) or a CARMEN text log, plain or packed by gzip or bzip2; the
