@@ -7,6 +7,7 @@
 #include <rtob/io/rawlog_writer.h>
 #include <rtob/io/tum_log.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -60,6 +61,36 @@ class Source
     const std::function<bool()>& stop_;
     bool is_tum_;
 };
+
+void check_labels(
+    const std::vector<std::string>& chosen, const std::vector<std::string>& seen,
+    const std::string& what)
+{
+    for (const auto& label : chosen)
+        if (std::find(seen.begin(), seen.end(), label) == seen.end())
+            throw std::runtime_error(
+                "the log has no " + what + " '" + label +
+                "'. `rawlog-edit --info` lists the labels of a rawlog; those of a CARMEN log are "
+                "laser_front, laser_rear and odometry.");
+}
+
+/// What was asked for is there.
+void check_contents(const ConvertJob& job, const LogContents& contents)
+{
+    if (!contents.damage.empty() && !job.keep_part)
+        throw std::runtime_error(contents.damage + " --keep-part converts what comes before.");
+    std::vector<std::string> lasers, poses;
+    for (const auto& laser : contents.lasers) lasers.push_back(laser.label);
+    for (const auto* sensors : {&contents.odometry, &contents.robot_poses})
+        for (const auto& [label, count] : *sensors) poses.push_back(label);
+    check_labels(job.choice.lasers, lasers, "laser");
+    check_labels(job.choice.poses, poses, "odometry or robot poses");
+    if (lasers.empty() && poses.empty() && contents.motions == 0 && contents.others.empty())
+        throw std::runtime_error(
+            job.log +
+            ": the log holds no scan, odometry or pose. Name a rawlog, a CARMEN log or "
+            "a TUM file.");
+}
 
 std::unique_ptr<LogWriter> open_writer(const ConvertJob& job, const LogContents& contents)
 {
@@ -115,8 +146,7 @@ Conversion convert_log(const ConvertJob& job, const std::function<bool()>& stop)
     const Source source(job, stop);
     auto surveyed = source.open(job.choice);
     const LogContents contents = survey_log(surveyed);
-    if (!contents.damage.empty() && !job.keep_part)
-        throw std::runtime_error(contents.damage + " --keep-part converts what comes before.");
+    check_contents(job, contents);
 
     Conversion conversion;
     conversion.damage = contents.damage;

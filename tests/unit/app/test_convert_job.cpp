@@ -151,6 +151,19 @@ TEST_F(ConvertLog, RefusesWhatMakesNoSense)
     EXPECT_THAT(refusal(nowhere), HasSubstr("folder"));
 }
 
+TEST_F(ConvertLog, RefusesLabelsAndLogsThatHoldNothing)
+{
+    auto to = job(rawlog(drive_objects(2)), "b.rawlog");
+    to.choice.lasers = {"LASER", "LESAR"};
+    EXPECT_THAT(refusal(to), AllOf(HasSubstr("no laser 'LESAR'"), HasSubstr("rawlog-edit")));
+    to.choice = {};
+    to.choice.poses = {"gps"};
+    EXPECT_THAT(refusal(to), HasSubstr("no odometry or robot poses 'gps'"));
+    EXPECT_THAT(
+        refusal(job(folder_.write("empty.log", "# nothing\n"), "c.rawlog")),
+        HasSubstr("holds no scan"));
+}
+
 TEST_F(ConvertLog, ReplacesAFileOnlyWhenAsked)
 {
     auto to = job(rawlog(drive_objects(2)), "b.log");
