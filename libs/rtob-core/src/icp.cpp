@@ -54,24 +54,25 @@ IcpResult Icp::align(
         reference, options_.max_pair_distance_m, static_cast<std::uint32_t>(options_.cell_points));
     lines_.reset(grid_, options_.line_radius_m);
     last_.assign(scan.size, NeighbourGrid::kNone);
-    const bool closed_form =
-        options_.metric == IcpMetric::PointToPoint && prior.information.isZero(0);
     const int final_phase = (options_.iterations + 1) / 2;  // from here the pair distance is final
     for (int phase = 0; phase < options_.iterations; ++phase)
     {
         const double distance_m = pairDistance(phase);
-        scale_m_ = options_.kernel_scale_m * distance_m / options_.final_pair_distance_m;
-        findPairs(scan, result.correction, distance_m);
+        move(scan, result.correction);
+        findPairs(distance_m);
         if (pairs_.size() < kMinPairs) break;
+        pairs_.weigh(
+            options_.kernel, options_.kernel_scale_m * distance_m / options_.final_pair_distance_m,
+            options_.metric == IcpMetric::PointToLine);
         const Pose2 before = result.correction;
-        result.correction =
-            closed_form ? fitClosedForm(scan, before) : fitLinearised(before, prior);
+        result.correction = fit(before, prior);
         ++result.iterations;
         if (!isAtRest(before, result.correction)) continue;
         if (phase >= final_phase) break;
         phase = final_phase - 1;
     }
-    findPairs(scan, result.correction, options_.final_pair_distance_m);
+    move(scan, result.correction);
+    findPairs(options_.final_pair_distance_m);
     describe(scan, result);
     return result;
 }
@@ -92,129 +93,66 @@ double Icp::pairDistance(int iteration) const
            std::pow(options_.final_pair_distance_m / options_.max_pair_distance_m, progress);
 }
 
-void Icp::findPairs(const PointsView& scan, const Pose2& correction, double max_distance_m)
+void Icp::move(const PointsView& scan, const Pose2& correction)
 {
     const auto c = static_cast<float>(std::cos(correction.yaw));
     const auto s = static_cast<float>(std::sin(correction.yaw));
     const auto tx = static_cast<float>(correction.x), ty = static_cast<float>(correction.y);
-    const auto limit = static_cast<float>(max_distance_m);
     moved_.x.resize(scan.size);
     moved_.y.resize(scan.size);
-    pairs_.clear();
-    pairs_.reserve(scan.size);
-    const Points& reference = grid_.points();
     for (std::size_t i = 0; i < scan.size; ++i)
     {
-        const float x = moved_.x[i] = c * scan.x[i] - s * scan.y[i] + tx;
-        const float y = moved_.y[i] = s * scan.x[i] + c * scan.y[i] + ty;
-        // The last neighbour bounds the search: once the scan rests, few cells are looked at.
-        float radius = limit;
-        if (last_[i] != NeighbourGrid::kNone)
-        {
-            const auto j = static_cast<std::size_t>(last_[i]);
-            const float dx = reference.x[j] - x, dy = reference.y[j] - y;
-            // A little more than the distance, so that rounding cannot lose the last neighbour.
-            radius = std::min(limit, std::sqrt(dx * dx + dy * dy) * 1.00001f);
-        }
-        const auto neighbour = grid_.nearest(x, y, radius);
+        moved_.x[i] = c * scan.x[i] - s * scan.y[i] + tx;
+        moved_.y[i] = s * scan.x[i] + c * scan.y[i] + ty;
+    }
+}
+
+/// How far to look for a point's neighbour: no farther than its last one, or than that of the beam
+/// beside it, so that once the scan rests few cells are looked at.
+float Icp::reachOf(std::size_t scan_point, float max_distance_m) const
+{
+    const std::size_t beside = scan_point > 0 ? scan_point - 1 : 0;
+    const std::int32_t known =
+        last_[scan_point] != NeighbourGrid::kNone ? last_[scan_point] : last_[beside];
+    if (known == NeighbourGrid::kNone) return max_distance_m;
+    const auto j = static_cast<std::size_t>(known);
+    const float dx = grid_.points().x[j] - moved_.x[scan_point];
+    const float dy = grid_.points().y[j] - moved_.y[scan_point];
+    // A little more than the distance, so that rounding cannot lose that neighbour.
+    return std::min(max_distance_m, std::sqrt(dx * dx + dy * dy) * 1.00001f);
+}
+
+void Icp::findPairs(double max_distance_m)
+{
+    const auto limit_m = static_cast<float>(max_distance_m);
+    const bool to_line = options_.metric == IcpMetric::PointToLine;
+    const Points& reference = grid_.points();
+    pairs_.clear();
+    pairs_.reserve(moved_.size());
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+    {
+        const float x = moved_.x[i], y = moved_.y[i];
+        const auto neighbour = grid_.nearest(x, y, reachOf(i, limit_m));
         if (neighbour.index == NeighbourGrid::kNone) continue;
         last_[i] = neighbour.index;
-        pairs_.push_back({i, neighbour.index, neighbour.squared_distance});
+        const auto j = static_cast<std::size_t>(neighbour.index);
+        const LineField::Line line = to_line ? lines_.at(neighbour.index) : LineField::Line();
+        pairs_.add(
+            {static_cast<std::uint32_t>(i), neighbour.index, x, y, reference.x[j], reference.y[j],
+             line.normal_x, line.normal_y, neighbour.squared_distance});
     }
 }
 
-double Icp::weight(double squared_residual) const
+/// Point to point in closed form (2.1.3); anything else by one Gauss-Newton step, in which pairs
+/// pull across their line, or both ways where there is none.
+Pose2 Icp::fit(const Pose2& correction, const CorrectionPrior& prior) const
 {
-    const double ratio2 = squared_residual / (scale_m_ * scale_m_);
-    switch (options_.kernel)
-    {
-        case RobustKernel::None:
-            return 1;
-        case RobustKernel::Huber:
-            return ratio2 <= 1 ? 1 : 1 / std::sqrt(ratio2);
-        case RobustKernel::Cauchy:
-            return 1 / (1 + ratio2);
-        case RobustKernel::Tukey:
-            return ratio2 <= 1 ? (1 - ratio2) * (1 - ratio2) : 0;
-    }
-    return 1;
-}
-
-/// The least-squares rigid motion from the scan to its neighbours, in closed form (2-D Umeyama).
-Pose2 Icp::fitClosedForm(const PointsView& scan, const Pose2& correction) const
-{
-    const Points& reference = grid_.points();
-    double sw = 0, sx = 0, sy = 0, su = 0, sv = 0, sxu = 0, syv = 0, sxv = 0, syu = 0;
-    for (const Pair& pair : pairs_)
-    {
-        const auto j = static_cast<std::size_t>(pair.neighbour);
-        const double w = weight(pair.squared_distance);
-        const double x = scan.x[pair.scan_point], y = scan.y[pair.scan_point];
-        const double u = reference.x[j], v = reference.y[j];
-        sw += w;
-        sx += w * x;
-        sy += w * y;
-        su += w * u;
-        sv += w * v;
-        sxu += w * x * u;
-        syv += w * y * v;
-        sxv += w * x * v;
-        syu += w * y * u;
-    }
-    if (sw <= 0) return correction;
-    const double cosine = sxu + syv - (sx * su + sy * sv) / sw;
-    const double sine = sxv - syu - (sx * sv - sy * su) / sw;
-    if (cosine == 0 && sine == 0) return correction;
-    const double yaw = std::atan2(sine, cosine), c = std::cos(yaw), s = std::sin(yaw);
-    return {(su - (c * sx - s * sy)) / sw, (sv - (s * sx + c * sy)) / sw, yaw};
-}
-
-/// One Gauss-Newton step: pairs pull across their line, or both ways where there is none.
-Pose2 Icp::fitLinearised(const Pose2& correction, const CorrectionPrior& prior)
-{
-    const Points& reference = grid_.points();
-    Eigen::Matrix3d h = prior.information;
-    Eigen::Vector3d g =
-        prior.information * Eigen::Vector3d(correction.x, correction.y, correction.yaw);
-    for (const Pair& pair : pairs_)
-    {
-        const auto j = static_cast<std::size_t>(pair.neighbour);
-        const double x = moved_.x[pair.scan_point], y = moved_.y[pair.scan_point];
-        const double ex = x - reference.x[j], ey = y - reference.y[j];
-        double mxx = 1, mxy = 0, myy = 1;
-        double residual2 = pair.squared_distance;
-        if (options_.metric == IcpMetric::PointToLine)
-        {
-            const LineField::Line& line = lines_.at(pair.neighbour);
-            if (line.normal_x != 0 || line.normal_y != 0)
-            {
-                const double nx = line.normal_x, ny = line.normal_y;
-                mxx = nx * nx + kAlongLine * ny * ny;
-                mxy = nx * ny * (1 - kAlongLine);
-                myy = ny * ny + kAlongLine * nx * nx;
-                const double across = nx * ex + ny * ey;
-                residual2 = across * across;
-            }
-        }
-        const double w = weight(residual2);
-        // Yaw turns about the vehicle, which the correction has moved.
-        const double jx = -(y - correction.y), jy = x - correction.x;
-        const double ax = mxx * jx + mxy * jy, ay = mxy * jx + myy * jy;
-        const double bx = mxx * ex + mxy * ey, by = mxy * ex + myy * ey;
-        h(0, 0) += w * mxx;
-        h(0, 1) += w * mxy;
-        h(1, 1) += w * myy;
-        h(0, 2) += w * ax;
-        h(1, 2) += w * ay;
-        h(2, 2) += w * (jx * ax + jy * ay);
-        g(0) += w * bx;
-        g(1) += w * by;
-        g(2) += w * (jx * bx + jy * by);
-    }
-    h(1, 0) = h(0, 1);
-    h(2, 0) = h(0, 2);
-    h(2, 1) = h(1, 2);
-    const Eigen::Vector3d step = h.ldlt().solve(-g);
+    if (options_.metric == IcpMetric::PointToPoint && prior.information.isZero(0))
+        return compose(pairs_.rigidMotion(), correction);
+    const auto [h, g] = pairs_.normalEquations(correction.x, correction.y, kAlongLine);
+    const Eigen::Vector3d pull =
+        g + prior.information * Eigen::Vector3d(correction.x, correction.y, correction.yaw);
+    const Eigen::Vector3d step = (h + prior.information).ldlt().solve(-pull);
     if (!step.allFinite()) return correction;
     return {correction.x + step(0), correction.y + step(1), correction.yaw + step(2)};
 }
@@ -226,7 +164,7 @@ std::size_t Icp::countKnown() const
     std::size_t known = pairs_.size(), next_pair = 0;
     for (std::size_t i = 0; i < moved_.size(); ++i)
     {
-        if (next_pair < pairs_.size() && pairs_[next_pair].scan_point == i)
+        if (next_pair < pairs_.size() && pairs_.scanPoint(next_pair) == i)
             ++next_pair;
         else if (grid_.nearest(moved_.x[i], moved_.y[i], reach).index != NeighbourGrid::kNone)
             ++known;
@@ -241,16 +179,16 @@ void Icp::describe(const PointsView& scan, IcpResult& result)
     result.pairs = pairs_.size();
     result.paired_share =
         scan.size == 0 ? 0 : static_cast<double>(pairs_.size()) / static_cast<double>(scan.size);
-    if (pairs_.empty()) return;
+    if (pairs_.size() == 0) return;
     result.known_share = static_cast<double>(pairs_.size()) / static_cast<double>(countKnown());
     Eigen::Matrix3d& h = result.information;
     double sum = 0;
-    for (const Pair& pair : pairs_)
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
     {
+        const PairTable::Pair pair = pairs_.at(i);
         sum += pair.squared_distance;
         const LineField::Line& line = lines_.at(pair.neighbour);
-        const double jx = -(moved_.y[pair.scan_point] - result.correction.y);
-        const double jy = moved_.x[pair.scan_point] - result.correction.x;
+        const double jx = result.correction.y - pair.y, jy = pair.x - result.correction.x;
         const Eigen::Vector3d across(
             line.normal_x, line.normal_y, line.normal_x * jx + line.normal_y * jy);
         h += across * across.transpose();

@@ -3,6 +3,7 @@
 #include <rtob/core/reference_draw.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rtob
 {
@@ -172,6 +173,9 @@ void ReferenceDraw::makeUnits(
     if (density.isFlat()) return makeFlatUnits(map.scans);
     const double stratum = envelope_before_.back() / static_cast<double>(kUnits);
     std::size_t s = 0;
+    // Strata side by side often look at the same scan.
+    std::size_t weighed_scan = std::numeric_limits<std::size_t>::max();
+    double weight = 0;
     for (std::size_t unit = 0; unit < kUnits; ++unit)
     {
         const double begin = stratum * static_cast<double>(unit);
@@ -190,7 +194,12 @@ void ReferenceDraw::makeUnits(
              std::min(
                  to_points(begin + stratum), static_cast<double>(map.scans.firstPoint(scan + 1))),
              units_weight_});
-        units_weight_ += density.weight(map.scans, now, support_, scan) / stretch.bound;
+        if (scan != weighed_scan)
+        {
+            weight = density.weight(map.scans, now, support_, scan);
+            weighed_scan = scan;
+        }
+        units_weight_ += weight / stretch.bound;
     }
 }
 
@@ -210,10 +219,8 @@ void ReferenceDraw::makeFlatUnits(const ScanTable& scans)
 void ReferenceDraw::pickStratified(std::size_t count, Random& random)
 {
     if (units_weight_ <= 0) return;
-    picked_.resize(count);
     const double step = units_weight_ / static_cast<double>(count);
     const double start = step * random.uniform();
-    std::size_t k = 0;
     for (std::size_t u = 0; u < units_.size(); ++u)
     {
         const Unit& unit = units_[u];
@@ -222,16 +229,17 @@ void ReferenceDraw::pickStratified(std::size_t count, Random& random)
         if (weight_end <= unit.weight_before) continue;
         const double points_per_weight =
             (unit.end - unit.begin) / (weight_end - unit.weight_before);
-        const auto last_point = static_cast<std::uint64_t>(std::ceil(unit.end)) - 1;
-        for (; k < count; ++k)
+        const auto last_point = static_cast<std::int64_t>(std::ceil(unit.end)) - 1;
+        const double end = is_last ? std::numeric_limits<double>::infinity() : weight_end;
+        for (double position = start + step * static_cast<double>(picked_.size());
+             position < end && picked_.size() < count;
+             position = start + step * static_cast<double>(picked_.size()))
         {
-            const double position = start + step * static_cast<double>(k);
-            if (position >= weight_end && !is_last) break;
             const double point = unit.begin + (position - unit.weight_before) * points_per_weight;
-            picked_[k] = std::min(last_point, static_cast<std::uint64_t>(point));
+            const auto i = std::min(last_point, static_cast<std::int64_t>(point));
+            picked_.push_back(static_cast<std::uint64_t>(i));
         }
     }
-    picked_.resize(k);
 }
 
 /// Adds what is picked to the reference.

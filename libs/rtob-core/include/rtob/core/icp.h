@@ -2,6 +2,7 @@
 #pragma once
 #include <rtob/core/line_field.h>
 #include <rtob/core/neighbour_grid.h>
+#include <rtob/core/pair_table.h>
 #include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
 #include <Eigen/Core>
@@ -22,24 +23,6 @@ constexpr auto enum_names(IcpMetric)
 {
     return std::array<std::pair<IcpMetric, std::string_view>, 2>{
         {{IcpMetric::PointToPoint, "point_to_point"}, {IcpMetric::PointToLine, "point_to_line"}}};
-}
-
-/// How much a pair counts, by its residual e and the kernel's scale c.
-enum class RobustKernel
-{
-    None,    ///< 1
-    Huber,   ///< 1 up to c, then c / |e|
-    Cauchy,  ///< 1 / (1 + (e / c)^2)
-    Tukey    ///< (1 - (e / c)^2)^2 up to c, then 0
-};
-
-constexpr auto enum_names(RobustKernel)
-{
-    return std::array<std::pair<RobustKernel, std::string_view>, 4>{
-        {{RobustKernel::None, "none"},
-         {RobustKernel::Huber, "huber"},
-         {RobustKernel::Cauchy, "cauchy"},
-         {RobustKernel::Tukey, "tukey"}}};
 }
 
 struct IcpOptions
@@ -123,27 +106,20 @@ class Icp
         const PointsView& scan, const PointsView& reference, const CorrectionPrior& prior = {});
 
  private:
-    struct Pair
-    {
-        std::size_t scan_point;
-        std::int32_t neighbour;
-        float squared_distance;
-    };
     [[nodiscard]] bool isAtRest(const Pose2& before, const Pose2& now) const;
     [[nodiscard]] double pairDistance(int iteration) const;
-    void findPairs(const PointsView& scan, const Pose2& correction, double max_distance_m);
-    [[nodiscard]] Pose2 fitClosedForm(const PointsView& scan, const Pose2& correction) const;
-    [[nodiscard]] Pose2 fitLinearised(const Pose2& correction, const CorrectionPrior& prior);
-    [[nodiscard]] double weight(double squared_residual) const;
+    void move(const PointsView& scan, const Pose2& correction);
+    void findPairs(double max_distance_m);
+    [[nodiscard]] float reachOf(std::size_t scan_point, float max_distance_m) const;
+    [[nodiscard]] Pose2 fit(const Pose2& correction, const CorrectionPrior& prior) const;
     [[nodiscard]] std::size_t countKnown() const;
     void describe(const PointsView& scan, IcpResult& result);
 
     IcpOptions options_;
-    double scale_m_ = 1;  ///< the kernel's, shrinking with the pair distance
     NeighbourGrid grid_;
     LineField lines_;
     Points moved_;                    ///< the scan under the current correction
     std::vector<std::int32_t> last_;  ///< each scan point's neighbour in the last iteration
-    std::vector<Pair> pairs_;
+    PairTable pairs_;
 };
 }  // namespace rtob

@@ -48,6 +48,8 @@ class NeighbourGrid
     }
 
  private:
+    static constexpr std::int32_t kFewRows = 2;  ///< with so few there is nothing to save
+
     [[nodiscard]] std::int32_t cellOf(float v) const;
 
     [[nodiscard]] static float nextAbove(float v);
@@ -135,8 +137,13 @@ inline NeighbourGrid::Neighbour NeighbourGrid::nearest(float x, float y, float r
     if (!(std::abs(x) < kFarthest_m && std::abs(y) < kFarthest_m)) return {};
     // `<` keeps the first of equals; the start value lets a point at exactly the radius in.
     Neighbour best{kNone, nextAbove(radius_m * radius_m)};
-    const std::int32_t middle = cellOf(y);
     std::int32_t low = cellOf(y - radius_m), high = cellOf(y + radius_m);
+    if (high - low <= kFewRows)
+    {
+        for (std::int32_t row = low; row <= high; ++row) nearestInRow(row, x, y, radius_m, best);
+        return best;
+    }
+    const std::int32_t middle = cellOf(y);
     float reach_m = radius_m;
     const auto look = [&](std::int32_t row)
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -53,6 +54,13 @@ struct Box
     [[nodiscard]] Box grown(double by) const
     {
         return {min_x - by, min_y - by, max_x + by, max_y + by};
+    }
+    /// What lies in both; contains nothing where they are apart.
+    [[nodiscard]] Box common(const Box& other) const
+    {
+        return {
+            std::max(min_x, other.min_x), std::max(min_y, other.min_y),
+            std::min(max_x, other.max_x), std::min(max_y, other.max_y)};
     }
 };
 }  // namespace rtob
