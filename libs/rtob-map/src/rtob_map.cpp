@@ -119,14 +119,18 @@ void RtobMap::appendScan(double time_s, const Pose2& pose_map_vehicle, std::size
 
 void RtobMap::draw(const Pose2& pose_map_vehicle, Reference& reference)
 {
-    draw(pose_map_vehicle, gateAround(pose_map_vehicle), reference);
+    draw(pose_map_vehicle, std::nullopt, 0, reference);
 }
 
 void RtobMap::draw(
-    const Pose2& pose_map_vehicle, const std::optional<Box>& gate, Reference& reference)
+    const Pose2& pose_map_vehicle, const std::optional<Box>& gate, std::size_t scans_begin,
+    Reference& reference)
 {
-    matching_.draw.draw(
-        view(), state_.density, momentAt(pose_map_vehicle), gate, state_.random, reference);
+    Moment moment = momentAt(pose_map_vehicle);
+    moment.scans_begin = scans_begin;
+    std::optional<Box> within = gateAround(pose_map_vehicle);
+    if (gate) within = within ? within->common(*gate) : *gate;
+    matching_.draw.draw(view(), state_.density, moment, within, state_.random, reference);
 }
 
 std::optional<Box> RtobMap::gateAround(const Pose2& pose_map_vehicle) const

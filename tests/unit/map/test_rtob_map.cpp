@@ -143,8 +143,30 @@ TEST(RtobMap, DrawsInsideTheGateOfItsOptions)
             std::abs(map.points().x[i] - 1.5) <= 1.2 && std::abs(map.points().y[i] - 1.0) <= 1.2;
     EXPECT_EQ(reference.points.size(), inside);
     EXPECT_LT(inside, map.size());
-    map.draw({1.5, 1.0, 0}, std::nullopt, reference);
-    EXPECT_EQ(reference.points.size(), map.size());
+}
+
+TEST(RtobMap, DrawsInsideBothGates)
+{
+    RtobMapOptions options = uniform_options(3000);
+    options.density.gate_m = 1.2;
+    RtobMap map = map_of_room(options, 2);
+    Reference reference;
+    map.draw({1.5, 1.0, 0}, rtob::Box{-9, -9, 1.4, 9}, 0, reference);
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < map.size(); ++i)
+        inside += std::abs(map.points().x[i] - 1.5) <= 1.2 &&
+                  std::abs(map.points().y[i] - 1.0) <= 1.2 && map.points().x[i] <= 1.4;
+    EXPECT_EQ(reference.points.size(), inside);
+    EXPECT_GT(inside, 0u);
+}
+
+TEST(RtobMap, DrawsOnlyNewScansWhereAsked)
+{
+    RtobMap map = map_of_room(uniform_options(3000), 4);
+    Reference reference;
+    map.draw({1.5, 1.0, 0}, std::nullopt, 3, reference);
+    ASSERT_FALSE(reference.indices.empty());
+    for (const auto i : reference.indices) EXPECT_GE(i, map.scans().firstPoint(3));
 }
 
 TEST(RtobMap, DrawsTheSameFromTheSameSeed)

@@ -62,8 +62,10 @@ class RtobMap : public mrpt::maps::CSimplePointsMap
 
     /// Draws for the vehicle at this pose, now, within the options' gate.
     void draw(const Pose2& pose_map_vehicle, Reference& reference);
-    /// The same within another gate, or none.
-    void draw(const Pose2& pose_map_vehicle, const std::optional<Box>& gate, Reference& reference);
+    /// The same within another gate too, if there is one, and only of scans from scans_begin on.
+    void draw(
+        const Pose2& pose_map_vehicle, const std::optional<Box>& gate, std::size_t scans_begin,
+        Reference& reference);
 
     /// @}
 
