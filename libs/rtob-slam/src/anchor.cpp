@@ -18,7 +18,6 @@ void AnchorOptions::validate() const
         "in (0, 1]");
     require(error_slack_m2 >= 0, "error_slack_m2", error_slack_m2, ">= 0");
     require(small_step_m > 0, "small_step_m", small_step_m, "> 0");
-    require(drift_share >= 0, "drift_share", drift_share, ">= 0");
     require(small_turn_deg > 0, "small_turn_deg", small_turn_deg, "> 0");
     require(min_points >= 10, "min_points", min_points, ">= 10");
 }
@@ -50,8 +49,8 @@ Anchor::Anchor(
 }
 
 std::optional<IcpResult> Anchor::align(
-    const MapView& map, const TravelLog& travel, double time_s, const Pose2& pose_map_vehicle,
-    const IcpResult& fit, const Points& points_vehicle)
+    const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
+    const Pose2& pose_map_vehicle, const IcpResult& fit, const Points& points_vehicle)
 {
     const std::size_t old_end = travel.scansBefore(options_.min_path_m);
     if (!options_.enabled || old_end == 0) return std::nullopt;
@@ -63,15 +62,14 @@ std::optional<IcpResult> Anchor::align(
     if (reference_.indices.size() < static_cast<std::size_t>(options_.min_points))
         return std::nullopt;
     // Near first: the far reach of the second try would blur a guess that is good already.
-    const double path_m = travel.path() - anchored_path_m_;
+    const double drift_m = drift.expected_m(travel);
     IcpResult old_fit = icp_.align(points_turned_.view(), reference_.points.view());
-    if (!explains(old_fit, fit, path_m, false))
+    if (!explains(old_fit, fit, drift_m, false))
     {
-        if (options_.drift_share * path_m < options_.small_step_m) return std::nullopt;
+        if (drift_m < options_.small_step_m) return std::nullopt;
         old_fit = wide_icp_.align(points_turned_.view(), reference_.points.view());
-        if (!explains(old_fit, fit, path_m, true)) return std::nullopt;
+        if (!explains(old_fit, fit, drift_m, true)) return std::nullopt;
     }
-    anchored_path_m_ = travel.path();
     return old_fit;
 }
 
@@ -79,11 +77,11 @@ std::optional<IcpResult> Anchor::align(
 /// fit about as well as all scans do; a large one contradicts the fit against all scans, so it must
 /// be the better one.
 bool Anchor::explains(
-    const IcpResult& old_fit, const IcpResult& fit, double path_m, bool is_far) const
+    const IcpResult& old_fit, const IcpResult& fit, double drift_m, bool is_far) const
 {
     const Pose2& by = old_fit.correction;
     const double step_m = std::hypot(by.x, by.y);
-    if (step_m > options_.small_step_m + options_.drift_share * path_m) return false;
+    if (step_m > options_.small_step_m + drift_m) return false;
     const bool is_large = is_far || step_m > options_.small_step_m ||
                           std::abs(by.yaw) > mrpt::DEG2RAD(options_.small_turn_deg);
     const double share_slack = is_large ? kFarShareSlack : kShareSlack;

@@ -3,7 +3,6 @@
 #include <rtob/slam/loop_search.h>
 #include <rtob/slam/turned_points.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -41,17 +40,18 @@ DrawOptions draws(int points)
     return draw;
 }
 
-Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> translation_information(const IcpResult& fit)
+/// The correction without its part along a direction that the old scans do not hold.
+Pose2 along_held_directions(const IcpResult& fit, const Drift& drift)
 {
-    const Eigen::Matrix2d a_pair =
-        fit.information.topLeftCorner<2, 2>() / std::max<double>(1, static_cast<double>(fit.pairs));
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(a_pair);
+    const auto held = drift.onlyHeldDirection(fit);
+    if (!held) return fit.correction;
+    const double along = held->x() * fit.correction.x + held->y() * fit.correction.y;
+    return {held->x() * along, held->y() * along, fit.correction.yaw};
 }
 }  // namespace
 
 void LoopSearchOptions::validate() const
 {
-    require(drift_share > 0, "drift_share", drift_share, "> 0");
     require(max_half_width_m > 0, "max_half_width_m", max_half_width_m, "> 0");
     require(min_path_m > 0, "min_path_m", min_path_m, "> 0");
     require(step_m > 0, "step_m", step_m, "> 0");
@@ -62,9 +62,6 @@ void LoopSearchOptions::validate() const
     require(
         min_paired_share > 0 && min_paired_share <= 1, "min_paired_share", min_paired_share,
         "in (0, 1]");
-    require(
-        min_information >= 0 && min_information <= 0.5, "min_information", min_information,
-        "in [0, 0.5]");
 }
 
 LoopSearch::LoopSearch(const LoopSearchOptions& options, const IcpOptions& icp, std::uint64_t seed)
@@ -78,21 +75,11 @@ LoopSearch::LoopSearch(const LoopSearchOptions& options, const IcpOptions& icp, 
     options_.validate();
 }
 
-bool LoopSearch::holdsBothDirections(const IcpResult& fit) const
+std::optional<IcpResult> LoopSearch::search(
+    const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
+    const Pose2& pose_map_vehicle, std::size_t old_end)
 {
-    return translation_information(fit).eigenvalues()(0) >= options_.min_information;
-}
-
-void LoopSearch::anchored(const TravelLog& travel, const IcpResult& fit)
-{
-    if (holdsBothDirections(fit)) anchored_path_m_ = travel.path();
-}
-
-std::optional<Pose2> LoopSearch::search(
-    const MapView& map, const TravelLog& travel, double time_s, const Pose2& pose_map_vehicle,
-    std::size_t old_end)
-{
-    const double path_m = travel.path() - anchored_path_m_;
+    const double path_m = drift.path_m(travel);
     if (!options_.enabled || path_m < options_.min_path_m ||
         travel.path() - searched_path_m_ < options_.step_m)
         return std::nullopt;
@@ -105,26 +92,25 @@ std::optional<Pose2> LoopSearch::search(
     moment.scans_end = map.scans.size();
     local_draw_.draw(map, density_, moment, std::nullopt, random_, local_);
 
-    const auto fit = find(path_m);
+    auto fit = find(path_m, drift.expected_m(travel));
     if (!fit)
     {
         last_correction_.reset();
         return std::nullopt;
     }
-    const Pose2 correction = alongHeldDirections(*fit);
-    const bool confirmed = agrees(correction);
-    last_correction_ = correction;
+    fit->correction = along_held_directions(*fit, drift);
+    const bool confirmed = agrees(fit->correction);
+    last_correction_ = fit->correction;
     if (!confirmed) return std::nullopt;
     last_correction_.reset();
-    if (holdsBothDirections(*fit)) anchored_path_m_ = travel.path();
-    return apply_correction(pose_map_vehicle, correction);
+    return fit;
 }
 
 /// Searches the window for the local points among the old ones, and refines what it found.
-std::optional<IcpResult> LoopSearch::find(double path_m)
+std::optional<IcpResult> LoopSearch::find(double path_m, double drift_m)
 {
     const SearchWindow window{
-        std::min(options_.max_half_width_m, kLeastHalfWidth_m + options_.drift_share * path_m),
+        std::min(options_.max_half_width_m, kLeastHalfWidth_m + drift_m),
         std::min(kMostHalfAngle_rad, kLeastHalfAngle_rad + kTurnPerMetre_rad * path_m)};
     const SearchResult found = search_.search(local_.points.view(), old_.points.view(), window);
     if (found.score < options_.min_score) return std::nullopt;
@@ -140,15 +126,6 @@ std::optional<IcpResult> LoopSearch::find(double path_m)
     if (fit.paired_share < options_.min_paired_share) return std::nullopt;
     fit.correction = apply_correction(found.correction, fit.correction);
     return fit;
-}
-
-/// The correction without its part along a direction that the old scans do not hold.
-Pose2 LoopSearch::alongHeldDirections(const IcpResult& fit) const
-{
-    if (holdsBothDirections(fit)) return fit.correction;
-    const Eigen::Vector2d held = translation_information(fit).eigenvectors().col(1);
-    const double along = held.x() * fit.correction.x + held.y() * fit.correction.y;
-    return {held.x() * along, held.y() * along, fit.correction.yaw};
 }
 
 bool LoopSearch::agrees(const Pose2& correction) const

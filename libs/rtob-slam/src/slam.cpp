@@ -71,6 +71,7 @@ Slam::Slam(const SlamOptions& options)
       icp_(options.icp),
       tracking_(options.tracking),
       insertion_(options.insertion),
+      drift_(options.drift),
       anchor_(options.anchor, options.icp, options.density, options.draw, options.seed),
       loop_search_(options.loop_search, options.icp, options.seed),
       search_(options.search)
@@ -97,19 +98,20 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     const Pose2 pose_map_init = prealign();  // 2. eq. 2 and 3
     if (is_too_small(points_vehicle_, options_.fit_gate))
         return settle({pose_map_init, {}, FitVerdict::None});
-    if (map_.scans().empty()) return startMap(pose_map_init);
+    if (map_.scans().empty()) return startMap(pose_map_init, scan.sensorLabel);
 
     Match match = matchAround(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
     if (isDoubtful(match)) searchAround(pose_map_init, match);
-    if (isFalseStart(match)) return startMap(pose_map_init);
-    if (match.verdict == FitVerdict::Good && options_.remembers())
+    if (isFalseStart(match)) return startMap(pose_map_init, scan.sensorLabel);
+    if (match.verdict == FitVerdict::Good && options_.remembers() &&
+        wantsToWrite(match, scan.sensorLabel))
     {
         anchor(match);
         closeLoop(match);
     }
     settle(match);
-    insert(match);   // 7.
-    return report_;  // 8.
+    insert(match, scan.sensorLabel);  // 7.
+    return report_;                   // 8.
 }
 
 void Slam::begin(double stamp_s)
@@ -141,7 +143,9 @@ Slam::Match Slam::matchAround(const Pose2& pose_map_init)
     {
         const StepTimer timer(report_.times.draw_s);
         seen = turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
-        map_.draw(pose_map_init, seen.grown(options_.icp.max_pair_distance_m), reference_);
+        map_.draw(
+            pose_map_init, seen.grown(options_.icp.max_pair_distance_m), trustedBegin(),
+            reference_);
     }
     const StepTimer timer(report_.times.align_s);
     Match match;
@@ -149,6 +153,12 @@ Slam::Match Slam::matchAround(const Pose2& pose_map_init)
     match.pose_map_vehicle = apply_correction(pose_map_init, match.fit.correction);
     match.verdict = judge_fit(match.fit, options_.fit_gate);
     return match;
+}
+
+/// Old scans from which the newest may have drifted apart would mislead.
+std::size_t Slam::trustedBegin() const
+{
+    return options_.remembers() && !tracking_.isLost() ? drift_.trustedBegin(travel_) : 0;
 }
 
 /// Whether ICP from the guess alone is to be trusted.
@@ -165,7 +175,7 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
     {
         const StepTimer timer(report_.times.search_s);
         turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
-        map_.draw(pose_map_init, std::nullopt, reference_);
+        map_.draw(pose_map_init, std::nullopt, trustedBegin(), reference_);
         pose_map_found =
             search_.search(pose_map_init, points_turned_, reference_, tracking_.isLost());
     }
@@ -180,13 +190,13 @@ void Slam::anchor(Match& match)
 {
     const StepTimer timer(report_.times.anchor_s);
     const auto old_fit = anchor_.align(
-        map_.view(), travel_, report_.map_time_s, match.pose_map_vehicle, match.fit,
+        map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle, match.fit,
         points_vehicle_);
     if (!old_fit) return;
     report_.anchored = true;
     match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);
     match.fit = *old_fit;
-    loop_search_.anchored(travel_, *old_fit);
+    drift_.held(travel_, *old_fit);
 }
 
 /// Beyond the paper: after a long loop, the place is looked for.
@@ -194,11 +204,18 @@ void Slam::closeLoop(Match& match)
 {
     const StepTimer timer(report_.times.search_s);
     const auto found = loop_search_.search(
-        map_.view(), travel_, report_.map_time_s, match.pose_map_vehicle,
+        map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle,
         travel_.scansBefore(options_.anchor.min_path_m));
     if (!found) return;
     report_.closed_loop = true;
-    match.pose_map_vehicle = *found;
+    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, found->correction);
+    drift_.held(travel_, *found);
+}
+
+/// Whether the scan is to join the map, if nothing speaks against it.
+bool Slam::wantsToWrite(const Match& match, const std::string& laser) const
+{
+    return insertion_.wants(laser, report_.map_time_s, match.pose_map_vehicle);
 }
 
 /// Whether the map began with a poor scan, as lasers give while they spin up.
@@ -208,17 +225,19 @@ bool Slam::isFalseStart(const Match& match) const
            points_vehicle_.size() > map_.size();
 }
 
-const ScanReport& Slam::startMap(const Pose2& pose_map_init)
+const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& laser)
 {
     map_.clear();
+    insertion_.clear();
     travel_ = TravelLog();
+    drift_ = Drift(options_.drift);
     report_.searched = false;  // nothing of what was found is used
     report_.map_time_s = map_.tick(report_.stamp_s);
     tracking_.start();
     Match match{pose_map_init, {}, FitVerdict::Good};
     match.fit.covariance.setZero();  // the map's frame is the first pose, by definition
     report(match, tracking_.state());
-    insert(match);
+    insert(match, laser);
     return report_;
 }
 
@@ -252,14 +271,14 @@ void Slam::report(const Match& match, TrackingState state)
 
 /// Only what was matched while TRACKING enters the map. What a search found must first be confirmed
 /// by a scan that needs no search.
-void Slam::insert(const Match& match)
+void Slam::insert(const Match& match, const std::string& laser)
 {
     const StepTimer timer(report_.times.insert_s);
     const bool may_write =
         report_.state == TrackingState::Tracking && is_match(match.verdict) && !report_.searched;
-    if (!may_write || !insertion_.wants(report_.map_time_s, report_.pose_map_vehicle)) return;
+    if (!may_write || !wantsToWrite(match, laser)) return;
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
-    insertion_.inserted(report_.map_time_s, report_.pose_map_vehicle);
+    insertion_.inserted(laser, report_.map_time_s, report_.pose_map_vehicle);
     travel_.inserted(report_.pose_map_vehicle);
     report_.inserted = true;
 }

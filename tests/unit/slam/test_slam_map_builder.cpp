@@ -97,6 +97,7 @@ TEST(SlamMapBuilder, TakesActionsAndSensoryFrames)
 TEST(SlamMapBuilder, KeepsTheScansThatWereWritten)
 {
     SlamOptions options;
+    options.insertion.angle_deg = 0;
     options.insertion.distance_m = 0.2;  // of the 5 cm a scan: not every one
     SlamMapBuilder builder(options);
     Slam slam(options);

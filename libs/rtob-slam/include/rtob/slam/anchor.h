@@ -5,6 +5,7 @@
 #include <rtob/core/random.h>
 #include <rtob/core/reference_draw.h>
 #include <rtob/core/time_density.h>
+#include <rtob/slam/drift.h>
 #include <rtob/slam/travel_log.h>
 
 #include <optional>
@@ -19,7 +20,6 @@ struct AnchorOptions
     double min_paired_share = 0.7;
     double error_slack_m2 = 0.0005;
     double small_step_m = 0.3;
-    double drift_share = 0.03;
     double small_turn_deg = 2;
     int min_points = 500;
 
@@ -42,10 +42,6 @@ struct AnchorOptions
         visit(
             "small_step_m", s.small_step_m,
             "a larger correction must fit better than all scans do; > 0");
-        visit(
-            "drift_share", s.drift_share,
-            "no correction exceeds small_step_m and this share of the path since the last one; >= "
-            "0");
         visit("small_turn_deg", s.small_turn_deg, "the same for its turn; > 0");
         visit("min_points", s.min_points, "old points that must be near; >= 10");
     }
@@ -67,12 +63,12 @@ class Anchor
     /// @return the fit against old scans, its correction relative to `pose_map_vehicle`, or nothing
     /// where old scans do not explain the scan.
     [[nodiscard]] std::optional<IcpResult> align(
-        const MapView& map, const TravelLog& travel, double time_s, const Pose2& pose_map_vehicle,
-        const IcpResult& fit, const Points& points_vehicle);
+        const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
+        const Pose2& pose_map_vehicle, const IcpResult& fit, const Points& points_vehicle);
 
  private:
     [[nodiscard]] bool explains(
-        const IcpResult& old_fit, const IcpResult& fit, double path_m, bool is_far) const;
+        const IcpResult& old_fit, const IcpResult& fit, double drift_m, bool is_far) const;
 
     AnchorOptions options_;
     Icp icp_, wide_icp_;
@@ -81,6 +77,5 @@ class Anchor
     Random random_;
     Points points_turned_;
     Reference reference_;
-    double anchored_path_m_ = 0;  ///< travelled when old scans last explained one
 };
 }  // namespace rtob

@@ -2,12 +2,15 @@
 #pragma once
 #include <rtob/core/pose2.h>
 
+#include <string>
+#include <vector>
+
 namespace rtob
 {
 struct InsertionOptions
 {
-    double distance_m = 0;
-    double angle_deg = 0;
+    double distance_m = 0.1;
+    double angle_deg = 5;
     double interval_s = 2;
 
     template <class Self, class Visit>
@@ -24,19 +27,29 @@ struct InsertionOptions
     void validate() const;
 };
 
-/// Which matched scans join the map: all, or one after a least movement.
+/// Which matched scans join the map: all, or those of each laser after a least movement. A vehicle
+/// that stands writes little, so people who walk past do not become what it is matched against.
 class InsertionPolicy
 {
  public:
     explicit InsertionPolicy(const InsertionOptions& options = {});
 
-    [[nodiscard]] bool wants(double time_s, const Pose2& pose_map_vehicle) const;
-    void inserted(double time_s, const Pose2& pose_map_vehicle);
+    /// @param laser the sensor's label: each laser sees another part of the world.
+    [[nodiscard]] bool wants(
+        const std::string& laser, double time_s, const Pose2& pose_map_vehicle) const;
+    void inserted(const std::string& laser, double time_s, const Pose2& pose_map_vehicle);
+    /// The map begins anew.
+    void clear() { last_.clear(); }
 
  private:
+    struct Insertion
+    {
+        std::string laser;
+        double time_s;
+        Pose2 pose_map_vehicle;
+    };
+
     InsertionOptions options_;
-    bool any_ = false;
-    double last_time_s_ = 0;
-    Pose2 last_pose_;
+    std::vector<Insertion> last_;  ///< of each laser
 };
 }  // namespace rtob

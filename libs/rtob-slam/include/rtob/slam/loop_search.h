@@ -5,6 +5,7 @@
 #include <rtob/core/reference_draw.h>
 #include <rtob/core/time_density.h>
 #include <rtob/core/wide_search.h>
+#include <rtob/slam/drift.h>
 #include <rtob/slam/travel_log.h>
 
 #include <optional>
@@ -14,7 +15,6 @@ namespace rtob
 struct LoopSearchOptions
 {
     bool enabled = true;
-    double drift_share = 0.03;
     double max_half_width_m = 12;
     double min_path_m = 15;
     double step_m = 0.5;
@@ -23,7 +23,6 @@ struct LoopSearchOptions
     int local_points = 400;
     double min_score = 0.6;
     double min_paired_share = 0.85;
-    double min_information = 0.04;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -32,10 +31,8 @@ struct LoopSearchOptions
             "enabled", s.enabled,
             "look for places seen before when the loop error may exceed the anchor's reach");
         visit(
-            "drift_share", s.drift_share,
-            "the error that is looked for, as a share of the path since the last anchored scan; > "
-            "0");
-        visit("max_half_width_m", s.max_half_width_m, "and at most this far, in x and in y; > 0");
+            "max_half_width_m", s.max_half_width_m,
+            "the drift that is looked for at most, in x and in y; > 0");
         visit("min_path_m", s.min_path_m, "path without an anchor before a search; > 0");
         visit("step_m", s.step_m, "travel between two searches; > 0");
         visit(
@@ -49,10 +46,6 @@ struct LoopSearchOptions
         visit(
             "min_paired_share", s.min_paired_share,
             "the same after ICP, within its final pair distance; (0, 1]");
-        visit(
-            "min_information", s.min_information,
-            "information a pair along the weak direction below which that direction is left as "
-            "it is, as along a corridor; [0, 0.5]");
     }
     void validate() const;
 };
@@ -67,20 +60,15 @@ class LoopSearch
  public:
     LoopSearch(const LoopSearchOptions& options, const IcpOptions& icp, std::uint64_t seed);
 
-    /// A scan was matched against old scans with this fit: the error starts anew, unless the fit
-    /// leaves a direction open.
-    void anchored(const TravelLog& travel, const IcpResult& fit);
-
-    /// @return the pose by the old scans, if it is time to search and two searches agreed.
-    [[nodiscard]] std::optional<Pose2> search(
-        const MapView& map, const TravelLog& travel, double time_s, const Pose2& pose_map_vehicle,
-        std::size_t old_end);
+    /// @return the fit of the newest scans to old ones, its correction relative to
+    /// `pose_map_vehicle`, if it is time to search and two searches agreed.
+    [[nodiscard]] std::optional<IcpResult> search(
+        const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
+        const Pose2& pose_map_vehicle, std::size_t old_end);
 
  private:
-    [[nodiscard]] std::optional<IcpResult> find(double path_m);
+    [[nodiscard]] std::optional<IcpResult> find(double path_m, double drift_m);
     [[nodiscard]] bool agrees(const Pose2& correction) const;
-    [[nodiscard]] bool holdsBothDirections(const IcpResult& fit) const;
-    [[nodiscard]] Pose2 alongHeldDirections(const IcpResult& fit) const;
 
     LoopSearchOptions options_;
     WideSearch search_;
@@ -90,7 +78,7 @@ class LoopSearch
     Random random_;
     Reference old_, local_;
     Points local_turned_, old_shifted_;
-    double anchored_path_m_ = 0, searched_path_m_ = 0;
+    double searched_path_m_ = 0;
     std::optional<Pose2> last_correction_;
 };
 }  // namespace rtob

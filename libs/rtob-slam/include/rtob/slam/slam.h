@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <rtob/map/rtob_map.h>
 #include <rtob/slam/anchor.h>
+#include <rtob/slam/drift.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
 #include <rtob/slam/scan_report.h>
@@ -53,15 +54,17 @@ class Slam
     void filter(const mrpt::obs::CObservation2DRangeScan& scan);
     [[nodiscard]] Pose2 prealign();
     [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
+    [[nodiscard]] std::size_t trustedBegin() const;
     [[nodiscard]] bool isDoubtful(const Match& match) const;
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
     void anchor(Match& match);
     void closeLoop(Match& match);
-    const ScanReport& startMap(const Pose2& pose_map_init);
+    [[nodiscard]] bool wantsToWrite(const Match& match, const std::string& laser) const;
+    const ScanReport& startMap(const Pose2& pose_map_init, const std::string& laser);
     const ScanReport& settle(const Match& match);
     void report(const Match& match, TrackingState state);
-    void insert(const Match& match);
+    void insert(const Match& match, const std::string& laser);
 
     SlamOptions options_;
     RtobMap map_;
@@ -72,6 +75,7 @@ class Slam
     TrackingStateMachine tracking_;
     InsertionPolicy insertion_;
     TravelLog travel_;
+    Drift drift_;
     Anchor anchor_;
     LoopSearch loop_search_;
     LocalSearch search_;

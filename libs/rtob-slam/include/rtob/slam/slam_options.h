@@ -29,6 +29,7 @@ struct SlamOptions
     SearchOptions search;
     TrackingOptions tracking;
     InsertionOptions insertion;
+    DriftOptions drift;
     AnchorOptions anchor;
     LoopSearchOptions loop_search;
     std::uint64_t seed = 1;
@@ -48,6 +49,7 @@ struct SlamOptions
         visit("Search", s.search);
         visit("Tracking", s.tracking);
         visit("Insertion", s.insertion);
+        visit("Drift", s.drift);
         visit("Anchor", s.anchor);
         visit("LoopSearch", s.loop_search);
     }
