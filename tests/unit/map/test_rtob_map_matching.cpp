@@ -36,6 +36,7 @@ RtobMap fully_drawn_map()
 {
     RtobMapOptions options;
     options.density.density = rtob::Density::Uniform;
+    options.draw.points = 3600;
     RtobMap map(options);
     for (int k = 0; k < 5; ++k)
     {

@@ -27,13 +27,13 @@ constexpr auto enum_names(IcpMetric)
 
 struct IcpOptions
 {
-    int iterations = 30;
+    int iterations = 16;
     double max_pair_distance_m = 0.60;
-    double final_pair_distance_m = 0.15;
+    double final_pair_distance_m = 0.20;
     IcpMetric metric = IcpMetric::PointToLine;
     RobustKernel kernel = RobustKernel::Tukey;
-    double kernel_scale_m = 0.15;
-    double line_radius_m = 0.15;
+    double kernel_scale_m = 0.20;
+    double line_radius_m = 0.30;
     int cell_points = 6;
     double stop_step_m = 0.0005;
 

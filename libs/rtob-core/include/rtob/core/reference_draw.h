@@ -28,7 +28,7 @@ constexpr auto enum_names(DrawMode)
 
 struct DrawOptions
 {
-    int points = 3600;
+    int points = 1800;
     DrawMode mode = DrawMode::Stratified;
 
     template <class Self, class Visit>
