@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/run_job.h"
+#include "run/read_ahead.h"
 
 #include <rtob/core/enum_names.h>
 #include <sys/resource.h>
@@ -128,18 +129,18 @@ RunSummary summary_of(
 RunSummary do_run(const RunJob& job, ProgressLine& progress, const std::function<bool()>& stop)
 {
     const OutputFolder folder(job.folder, job.may_overwrite);
-    const auto log = open_log(job.log);
+    ReadAhead log(open_log(job.log));
     const auto start = Clock::now();
     Slam slam(job.config.slam);
     ScanRecorder recorder(job, folder, slam);
 
     const auto run = run_log(
-        *log, slam, job.limits,
+        log, slam, job.limits,
         [&](const auto& scan, const ScanReport& report)
         {
             recorder.add(scan, report);
             progress.update(
-                {log->progress(), recorder.counters().scans(), report.map_time_s,
+                {log.progress(), recorder.counters().scans(), report.map_time_s,
                  seconds_since(start), report.state},
                 Clock::now());
         },
