@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/run_counters.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rtob
@@ -56,14 +55,5 @@ std::uint64_t RunCounters::rejected() const
 std::uint64_t RunCounters::lost() const
 {
     return in(TrackingState::Lost) + in(TrackingState::Relocalising);
-}
-
-double percentile(std::vector<float> values, double share)
-{
-    if (values.empty()) return 0;
-    const double rank = std::ceil(share * static_cast<double>(values.size()));
-    const auto index = static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
-    std::nth_element(values.begin(), values.begin() + index, values.end());
-    return static_cast<double>(values[static_cast<std::size_t>(index)]);
 }
 }  // namespace rtob

@@ -76,7 +76,4 @@ class RunCounters
     std::optional<Pose2> pose_map_last_;
     bool was_lost_ = false;
 };
-
-/// The value that this share of the values does not exceed (nearest rank); 0 of none.
-[[nodiscard]] double percentile(std::vector<float> values, double share);
 }  // namespace rtob

@@ -81,16 +81,5 @@ TEST(RunCounters, ScanTimesAreTheSumOfTheSteps)
     counters.add(report);
     EXPECT_FLOAT_EQ(counters.scanTimes().at(0), 3.0f);
 }
-
-TEST(Percentile, IsTheNearestRank)
-{
-    const std::vector<float> values{50, 10, 40, 20, 30};
-    EXPECT_EQ(percentile(values, 0.5), 30);
-    EXPECT_EQ(percentile(values, 0.2), 10);
-    EXPECT_EQ(percentile(values, 0.21), 20);
-    EXPECT_EQ(percentile(values, 1), 50);
-    EXPECT_EQ(percentile(values, 0), 10);
-    EXPECT_EQ(percentile({}, 0.5), 0);
-}
 }  // namespace
 }  // namespace rtob::test
