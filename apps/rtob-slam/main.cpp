@@ -20,11 +20,13 @@ struct Verb
     rtob::VerbAction (*declare)(CLI::App&);
 };
 
-constexpr std::array<Verb, 4> verbs{
+constexpr std::array<Verb, 6> verbs{
     {{"run", "turn a laser log into a trajectory and a map", rtob::declare_run},
      {"convert", "turn a log into a rawlog, a CARMEN log or poses", rtob::declare_convert},
      {"eval", "score a trajectory against the truth: a trajectory or relations",
       rtob::declare_eval},
+     {"compare", "RTOB-SLAM beside MRPT's ICP-SLAM on your log: a report", rtob::declare_compare},
+     {"compare-run", "", rtob::declare_compare_run},
      {"options", "list every key of the .ini with its default", rtob::declare_options}}};
 
 struct DeclaredVerb
@@ -67,6 +69,7 @@ int run_verb(CLI::App& program, int argc, const char* const* argv)
     for (const auto& verb : verbs)
     {
         auto* command = program.add_subcommand(verb.name, verb.summary);
+        if (*verb.summary == '\0') command->group("");  // in no help: for the program itself
         declared.push_back({command, verb.declare(*command)});
     }
     refuse_unknown_verb(argc, argv);

@@ -12,5 +12,8 @@ using VerbAction = std::function<int()>;
 VerbAction declare_run(CLI::App& command);
 VerbAction declare_convert(CLI::App& command);
 VerbAction declare_eval(CLI::App& command);
+VerbAction declare_compare(CLI::App& command);
+/// One run of a comparison: compare starts it as a process of its own.
+VerbAction declare_compare_run(CLI::App& command);
 VerbAction declare_options(CLI::App& command);
 }  // namespace rtob
