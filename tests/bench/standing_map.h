@@ -11,6 +11,13 @@ namespace rtob::bench
 {
 constexpr double kScanRate_hz = 10;
 
+/// One of the 36 places, in turn, of a vehicle that circles.
+inline Pose2 circle_pose(std::size_t i)
+{
+    const double turn_rad = 0.1745 * static_cast<double>(i % 36);
+    return {1.6 + 0.5 * std::cos(turn_rad), 1.3 + 0.5 * std::sin(turn_rad), wrap_angle(turn_rad)};
+}
+
 /// A vehicle that has circled in one room for as long as it takes to store this many points: the
 /// revisit density always has everything near. 360 points a scan, seen from 36 places in turn, with
 /// a range laser's noise: without it points would lie on each other.
@@ -19,10 +26,9 @@ inline test::TestMap make_standing_map(std::uint64_t points)
     const test::Room room = test::room_4x3();
     std::vector<Pose2> poses;
     std::vector<Points> scans;
-    for (int i = 0; i < 36; ++i)
+    for (std::size_t i = 0; i < 36; ++i)
     {
-        const double turn_rad = 0.1745 * i;
-        poses.push_back({1.6 + 0.5 * std::cos(turn_rad), 1.3 + 0.5 * std::sin(turn_rad), turn_rad});
+        poses.push_back(circle_pose(i));
         scans.push_back(test::moved(room.scan_vehicle(poses.back()), poses.back()));
     }
     Random random(1);

@@ -24,7 +24,7 @@ Drift::Drift(const DriftOptions& options) : options_(options)
 
 void Drift::held(const TravelLog& travel, const IcpResult& fit)
 {
-    if (!onlyHeldDirection(fit)) held_path_m_ = travel.path();
+    if (!onlyHeldDirection(fit)) heldNow(travel);
 }
 
 std::size_t Drift::trustedBegin(const TravelLog& travel) const

@@ -283,6 +283,23 @@ void Slam::insert(const Match& match, const std::string& laser)
     report_.inserted = true;
 }
 
+void Slam::continueIn(const RtobMap& map, const Pose2& pose_map_vehicle)
+{
+    map_ = map;
+    map_.setOptions(map_options(options_));
+    insertion_.clear();
+    travel_ = TravelLog();
+    for (std::size_t scan = 0; scan < map_.scans().size(); ++scan)
+        travel_.inserted(map_.scans().pose(scan));
+    drift_ = Drift(options_.drift);
+    drift_.heldNow(travel_);  // the pose is given in this map
+    tracking_ = TrackingStateMachine(options_.tracking);
+    if (!map_.scans().empty()) tracking_.start();
+    report_ = ScanReport();
+    report_.state = tracking_.state();
+    reset(pose_map_vehicle);
+}
+
 void Slam::reset(const Pose2& pose_map_vehicle)
 {
     prealignment_.reset(pose_map_vehicle);

@@ -48,6 +48,9 @@ class Drift
     /// open.
     void held(const TravelLog& travel, const IcpResult& fit);
 
+    /// The pose is known in the old part of the map.
+    void heldNow(const TravelLog& travel) { held_path_m_ = travel.path(); }
+
     /// Travel since old scans last held the pose.
     [[nodiscard]] double path_m(const TravelLog& travel) const
     {

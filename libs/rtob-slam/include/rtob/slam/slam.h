@@ -32,6 +32,10 @@ class Slam
     /// One scan, in the steps of the paper's fig. 1.
     const ScanReport& process(const mrpt::obs::CObservation2DRangeScan& scan);
 
+    /// Goes on in a map that was made before, the vehicle at rest at this pose of it.
+    /// @param map taken over with its points, scans and clock; its options give way to these.
+    void continueIn(const RtobMap& map, const Pose2& pose_map_vehicle);
+
     /// Puts the vehicle elsewhere in the map, at rest.
     void reset(const Pose2& pose_map_vehicle);
 
