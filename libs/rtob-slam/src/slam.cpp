@@ -26,7 +26,7 @@ class StepTimer
     Clock::time_point begin_;
 };
 
-// A map of fewer scans may start anew with a richer scan that does not fit it.
+// A map that fewer scans have met may start anew with a richer scan that does not fit it.
 constexpr std::size_t kYoungMap_scans = 3;
 
 // What a scan without a match adds to the uncertainty of the pose, one sigma.
@@ -120,6 +120,7 @@ void Slam::begin(double stamp_s)
     const Eigen::Matrix3d covariance = report_.covariance;
     report_ = ScanReport();
     report_.stamp_s = stamp_s;
+    ++scans_of_map_;
     report_.map_time_s = map_.tick(stamp_s);
     report_.state = state;
     report_.covariance = covariance;
@@ -164,7 +165,9 @@ std::size_t Slam::trustedBegin() const
 /// Whether ICP from the guess alone is to be trusted.
 bool Slam::isDoubtful(const Match& match) const
 {
-    return search_.enabled() && (match.verdict == FitVerdict::Weak ||
+    // Where the map knows the place, most of a scan finds a neighbour, or the guess was bad.
+    const bool explains_little = match.fit.known_share < options_.search.min_paired_share;
+    return search_.enabled() && (match.verdict == FitVerdict::Weak || explains_little ||
                                  match.verdict == FitVerdict::None || tracking_.isLost());
 }
 
@@ -179,10 +182,13 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
         pose_map_found =
             search_.search(pose_map_init, points_turned_, reference_, tracking_.isLost());
     }
-    const Match found = matchAround(pose_map_found);
+    Match found = matchAround(pose_map_found);
     const bool convinces = found.verdict == FitVerdict::Good &&
-                           found.fit.paired_share >= options_.search.min_paired_share;
-    if (convinces) match = found;
+                           found.fit.paired_share >= options_.search.min_paired_share &&
+                           found.fit.paired_share > match.fit.paired_share;
+    if (!convinces) return;
+    match = found;
+    match.is_found = true;
 }
 
 /// Beyond the paper: in places seen before, the old scans decide.
@@ -221,13 +227,14 @@ bool Slam::wantsToWrite(const Match& match, const std::string& laser) const
 /// Whether the map began with a poor scan, as lasers give while they spin up.
 bool Slam::isFalseStart(const Match& match) const
 {
-    return !is_match(match.verdict) && map_.scans().size() < kYoungMap_scans &&
+    return !is_match(match.verdict) && scans_of_map_ < kYoungMap_scans &&
            points_vehicle_.size() > map_.size();
 }
 
 const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& laser)
 {
     map_.clear();
+    scans_of_map_ = 1;
     insertion_.clear();
     travel_ = TravelLog();
     drift_ = Drift(options_.drift);
@@ -275,7 +282,7 @@ void Slam::insert(const Match& match, const std::string& laser)
 {
     const StepTimer timer(report_.times.insert_s);
     const bool may_write =
-        report_.state == TrackingState::Tracking && is_match(match.verdict) && !report_.searched;
+        report_.state == TrackingState::Tracking && is_match(match.verdict) && !match.is_found;
     if (!may_write || !wantsToWrite(match, laser)) return;
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(laser, report_.map_time_s, report_.pose_map_vehicle);

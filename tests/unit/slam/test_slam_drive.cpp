@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole drives through a world of two rooms, without odometry.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <rtob/core/enum_names.h>
 #include <rtob/slam/slam.h>
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "house.h"
+#include "near_pose.h"
 
 using namespace rtob;
 using test::house_lap_scans;
@@ -156,4 +157,50 @@ TEST(SlamDrive, TheSameSeedGivesTheSamePosesBitForBit)
         different += !same_bits(first[k], other[k]);
     }
     EXPECT_GT(different, scans / 2);
+}
+
+namespace
+{
+/// The vehicle has stood for five scans and turns by this from one scan to the next.
+const ScanReport& turn_at_once(Slam& slam, int place, double turn_rad)
+{
+    Pose2 pose = test::pose_in_house(place);
+    const auto scan = [&](int k)
+    { return test::scan_observation(test::house(), pose, 1000 + 0.1 * k, test::mrpt_laser()); };
+    for (int k = 0; k < 5; ++k) slam.process(scan(k));
+    pose.yaw = wrap_angle(pose.yaw + turn_rad);
+    return slam.process(scan(5));
+}
+
+double degrees(double rad)
+{
+    return rad * 180 / 3.14159265358979323846;
+}
+}  // namespace
+
+TEST(SlamDrive, ATurnThatTheGuessMissesIsFound)
+{
+    // From the guess ICP ends 10 degrees off, and pairs 56 % of the scan: enough for the gate.
+    constexpr double turn_rad = 0.41888;  // 24 degrees
+    SlamOptions options;
+    options.search.enabled = false;
+    Slam plain(options);
+    EXPECT_GT(
+        degrees(std::abs(turn_at_once(plain, 60, turn_rad).pose_map_vehicle.yaw - turn_rad)), 5);
+    Slam slam;
+    const ScanReport& report = turn_at_once(slam, 60, turn_rad);
+    EXPECT_TRUE(report.searched);
+    EXPECT_FALSE(report.inserted) << "the next scan has to confirm it";
+    EXPECT_THAT(report.pose_map_vehicle, test::IsNearPose(Pose2{0, 0, turn_rad}, 0.03, 0.02));
+}
+
+TEST(SlamDrive, AVehicleThatStoodDoesNotBeginAnew)
+{
+    // All of its scans but the first are the same and were not written.
+    SlamOptions options;
+    options.search.enabled = false;
+    Slam slam(options);
+    const ScanReport& report = turn_at_once(slam, 120, 0.48869);  // 28 degrees
+    EXPECT_EQ(report.state, TrackingState::Degraded);
+    EXPECT_GT(report.pairs, 0U);
 }

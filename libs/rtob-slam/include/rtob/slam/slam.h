@@ -52,6 +52,7 @@ class Slam
         Pose2 pose_map_vehicle;
         IcpResult fit;
         FitVerdict verdict = FitVerdict::None;
+        bool is_found = false;  ///< by a search, which the next scan has to confirm
     };
 
     void begin(double stamp_s);
@@ -84,8 +85,9 @@ class Slam
     LoopSearch loop_search_;
     LocalSearch search_;
 
-    Points points_vehicle_;  ///< of the scan in work
-    Points points_turned_;   ///< the same, with map axes, seen from the vehicle
+    std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not
+    Points points_vehicle_;         ///< of the scan in work
+    Points points_turned_;          ///< the same, with map axes, seen from the vehicle
     Reference reference_;
     ScanReport report_;
 };
