@@ -3,7 +3,9 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace rtob
 {
@@ -44,10 +46,12 @@ void write_exact(std::ostream& out, std::int64_t value)
 void write_ticks_100ns(std::ostream& out, std::int64_t ticks)
 {
     constexpr std::size_t decimals = 7;
-    std::string digits = std::to_string(ticks < 0 ? -ticks : ticks);
+    const auto magnitude = static_cast<std::uint64_t>(ticks);
+    std::string digits = std::to_string(ticks < 0 ? 0 - magnitude : magnitude);
     if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-    digits.insert(digits.size() - decimals, ".");
-    if (digits.back() == '0') digits.pop_back();
-    out << (ticks < 0 ? "-" : "") << digits;
+    const std::string_view seconds(digits.data(), digits.size() - decimals);
+    std::string_view fraction(digits.data() + seconds.size(), decimals);
+    if (fraction.back() == '0') fraction.remove_suffix(1);
+    out << (ticks < 0 ? "-" : "") << seconds << '.' << fraction;
 }
 }  // namespace rtob
