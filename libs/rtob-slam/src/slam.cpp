@@ -4,6 +4,7 @@
 #include <rtob/slam/slam.h>
 #include <rtob/slam/turned_points.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -28,6 +29,9 @@ class StepTimer
 
 // A map that fewer scans have met may start anew with a richer scan that does not fit it.
 constexpr std::size_t kYoungMap_scans = 3;
+
+// Of what a match leaves unexplained, a search may leave this share to take its place.
+constexpr double kUnexplainedLeftWithOdometry = 1.0 / 3;
 
 // What a scan without a match adds to the uncertainty of the pose, one sigma.
 constexpr double kBlindStep_m = 0.05, kBlindTurn_rad = 0.02;
@@ -183,10 +187,12 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
             search_.search(pose_map_init, points_turned_, reference_, tracking_.isLost());
     }
     Match found = matchAround(pose_map_found);
-    const bool convinces = found.verdict == FitVerdict::Good &&
-                           found.fit.paired_share >= options_.search.min_paired_share &&
-                           found.fit.paired_share > match.fit.paired_share;
-    if (!convinces) return;
+    // New ground fits badly, too: a match from odometry is given up for a far better one only.
+    const double left =
+        hasOdometry() && is_match(match.verdict) ? kUnexplainedLeftWithOdometry : 1.0;
+    const double enough =
+        std::max(options_.search.min_paired_share, 1 - left * (1 - match.fit.paired_share));
+    if (found.verdict != FitVerdict::Good || found.fit.paired_share < enough) return;
     match = found;
     match.is_found = true;
 }
