@@ -20,8 +20,9 @@ struct Verb
     rtob::VerbAction (*declare)(CLI::App&);
 };
 
-constexpr std::array<Verb, 6> verbs{
+constexpr std::array<Verb, 7> verbs{
     {{"run", "turn a laser log into a trajectory and a map", rtob::declare_run},
+     {"check", "look for faults in a log, and suggest an .ini", rtob::declare_check},
      {"convert", "turn a log into a rawlog, a CARMEN log or poses", rtob::declare_convert},
      {"eval", "score a trajectory against the truth: a trajectory or relations",
       rtob::declare_eval},

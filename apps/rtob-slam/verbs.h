@@ -10,6 +10,7 @@ using VerbAction = std::function<int()>;
 
 /// Each adds its flags to its subcommand and returns its action, to be called after parsing.
 VerbAction declare_run(CLI::App& command);
+VerbAction declare_check(CLI::App& command);
 VerbAction declare_convert(CLI::App& command);
 VerbAction declare_eval(CLI::App& command);
 VerbAction declare_compare(CLI::App& command);
