@@ -22,7 +22,8 @@ constexpr double kContrast = 20;              // times as dense as below
 constexpr int kDirections = 6;                // of 64: a wall across a corridor is seen in fewer
 constexpr float kNearestReal_m = 0.02F;       // no laser measures less: codes of errors
 constexpr double kMostlyBlind = 0.5;
-constexpr double kShortReach_m = 9;
+constexpr double kShortReach_m = 9;  // then the default draw reaches needlessly far
+constexpr double kLeastDraw_m = 6;   // the paper's laser
 
 std::size_t bin_of(float range_m)
 {
@@ -299,8 +300,8 @@ void RangeCheck::reportReach(CheckReport& report) const
     }
     else if (far_m < kShortReach_m)
         report.suggestions.push_back(
-            {"Density", "laser_range_m", fixed(std::ceil(far_m), 0),
-             "99 % of the ranges are below this"});
+            {"Density", "laser_range_m", fixed(std::max(kLeastDraw_m, std::ceil(far_m)), 0),
+             "99 % of the ranges are below: a draw from no farther is quicker"});
     report.findings.push_back(std::move(finding));
 }
 }  // namespace rtob
