@@ -91,8 +91,8 @@ std::vector<BodyCheck::Sector> BodyCheck::sectors() const
 
 std::string BodyCheck::mask() const
 {
-    // A beam beside the body grazes it now and then.
-    const double margin_deg = std::abs(step_deg_);
+    // A beam beside the body grazes it now and then: a step, and a little for rounding.
+    const double margin_deg = 1.2 * std::abs(step_deg_);
     std::string mask;
     for (const auto& sector : sectors())
         mask += (mask.empty() ? "" : ", ") + fixed(sector.low_deg - margin_deg, 1) + ".." +

@@ -255,7 +255,7 @@ TEST(CheckLog, BeamsThatSeeTheVehicle)
     const auto report = check_drive(drive);
     EXPECT_EQ(troubles(report), "FAIL sectors.body");
     EXPECT_EQ(figure(report, "sectors.body", "beams"), 21);
-    EXPECT_THAT(report.ini(), HasSubstr("mask_deg = -141.0..-119.0\n"));
+    EXPECT_THAT(report.ini(), HasSubstr("mask_deg = -141.2..-118.8\n"));
 }
 
 TEST(CheckLog, ASectorThatSeesNothing)
