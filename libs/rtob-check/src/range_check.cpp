@@ -3,7 +3,6 @@
 #include <rtob/slam/scan_filter.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 
 #include "figures.h"
@@ -12,31 +11,11 @@ namespace rtob
 {
 namespace
 {
-constexpr double kBinsPerMetre = 100;
-constexpr std::size_t kBins = 65'536;         // up to 655 m
-constexpr std::size_t kBandBins = 25;         // how far a sentinel's values spread
-constexpr std::size_t kBelowBins = 250;       // and how much is empty below
-constexpr double kSmallestShare = 1e-4;       // rarer values are strays, not a sentinel
-constexpr std::uint64_t kSmallestCount = 20;  // the same for short logs
-constexpr double kContrast = 20;              // times as dense as below
-constexpr int kDirections = 6;                // of 64: a wall across a corridor is seen in fewer
-constexpr float kNearestReal_m = 0.02F;       // no laser measures less: codes of errors
+constexpr float kNearestReal_m = 0.02F;  // no laser measures less: codes of errors
 constexpr double kMostlyBlind = 0.5;
 constexpr double kShortReach_m = 9;  // then the default draw reaches needlessly far
 constexpr double kLeastDraw_m = 6;   // the paper's laser
-
-std::size_t bin_of(float range_m)
-{
-    return std::min(kBins - 1, static_cast<std::size_t>(std::lround(range_m * kBinsPerMetre)));
-}
-
-double metres(std::size_t bin)
-{
-    return static_cast<double>(bin) / kBinsPerMetre;
-}
 }  // namespace
-
-RangeCheck::RangeCheck() : bins_(kBins) {}
 
 void RangeCheck::add(const mrpt::obs::CObservation2DRangeScan& scan)
 {
@@ -64,66 +43,16 @@ void RangeCheck::add(const mrpt::obs::CObservation2DRangeScan& scan)
             ++codes_;
             if (valid) ++codes_valid_;
         }
-        else if (range_m * kBinsPerMetre >= static_cast<double>(kBins))
+        else if (range_m >= RangeHistogram::kEnd_m)
             ++beyond_;
         else
-        {
-            Bin& bin = bins_[bin_of(range_m)];
-            ++bin.count;
-            if (valid) ++bin.valid;
-            bin.directions |= std::uint64_t{1} << (i * 64 / beams);
-        }
+            histogram_.add(range_m, valid, static_cast<unsigned>(i * 64 / beams));
     }
-}
-
-RangeCheck::Bin RangeCheck::sum(std::size_t begin, std::size_t end) const
-{
-    Bin sum;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-        sum.count += bins_[i].count;
-        sum.valid += bins_[i].valid;
-        sum.directions |= bins_[i].directions;
-    }
-    return sum;
-}
-
-std::optional<std::size_t> RangeCheck::lastUsedBelow(std::size_t end) const
-{
-    while (end > 0 && bins_[end - 1].count == 0) --end;
-    if (end == 0) return std::nullopt;
-    return end - 1;
 }
 
 std::optional<Sentinel> RangeCheck::farSentinel() const
 {
-    const auto least = std::max(
-        kSmallestCount, static_cast<std::uint64_t>(kSmallestShare * static_cast<double>(beams_)));
-    std::uint64_t strays = 0;
-    for (auto top = lastUsedBelow(kBins); top && strays < least; top = lastUsedBelow(*top))
-    {
-        const std::size_t begin = *top + 1 - std::min(*top + 1, kBandBins);
-        const Bin band = sum(begin, *top + 1);
-        if (band.count < least)
-        {
-            strays += bins_[*top].count;
-            continue;
-        }
-        const std::size_t below_begin = begin - std::min(begin, kBelowBins);
-        const auto below = static_cast<double>(sum(below_begin, begin).count) * kBandBins /
-                           static_cast<double>(kBelowBins);
-        const bool stands_out = static_cast<double>(band.count) > kContrast * below;
-        const bool is_wide = std::bitset<64>(band.directions).count() >= kDirections;
-        if (!stands_out || !is_wide) return std::nullopt;
-        std::size_t low = begin, usual = begin;
-        while (bins_[low].count == 0) ++low;
-        for (std::size_t i = begin; i <= *top; ++i)
-            if (bins_[i].count > bins_[usual].count) usual = i;
-        const auto last_real = lastUsedBelow(begin);
-        return Sentinel{metres(low), metres(*top), metres(usual),
-                        band.count,  band.valid,   last_real ? metres(*last_real) : 0};
-    }
-    return std::nullopt;
+    return histogram_.farSentinel(beams_);
 }
 
 double RangeCheck::usefulRange() const
@@ -134,18 +63,7 @@ double RangeCheck::usefulRange() const
     // Half-way between what is real and what is not, but no farther below than a few percent.
     const double middle_m =
         std::max((sentinel->reach_m + sentinel->low_m) / 2, 0.97 * sentinel->low_m);
-    return std::floor(middle_m * kBinsPerMetre) / kBinsPerMetre;
-}
-
-double RangeCheck::rangeAt(double share, double limit_m) const
-{
-    const std::size_t end = bin_of(static_cast<float>(limit_m));
-    const std::uint64_t all = sum(0, end).count;
-    std::uint64_t below = 0;
-    for (std::size_t i = 0; i < end; ++i)
-        if (static_cast<double>(below += bins_[i].count) > share * static_cast<double>(all))
-            return metres(i);
-    return 0;
+    return std::floor(100 * middle_m) / 100;
 }
 
 void RangeCheck::report(CheckReport& report) const
@@ -286,7 +204,8 @@ void RangeCheck::reportShare(CheckReport& report) const
 void RangeCheck::reportReach(CheckReport& report) const
 {
     const double limit_m = usefulRange();
-    const double median_m = rangeAt(0.5, limit_m), far_m = rangeAt(0.99, limit_m);
+    const double median_m = histogram_.quantile(0.5, limit_m);
+    const double far_m = histogram_.quantile(0.99, limit_m);
     Finding finding;
     finding.id = "ranges.reach";
     finding.values = {{"median_m", median_m}, {"p99_m", far_m}};

@@ -20,7 +20,6 @@ constexpr double kLongestInterval_s = 10;         // longer: a gap, not a rest
 void RestCheck::add(
     double interval_s, const LaserStep& laser_step, const std::optional<Pose2>& odometry_step)
 {
-    ++all_scans_;
     const bool is_continuous = interval_s >= 0 && interval_s < kLongestInterval_s;
     if (is_continuous) all_s_ += interval_s;
     const Pose2 moved = compose(pose_start_now_, laser_step.pose_prev_now);
@@ -42,7 +41,6 @@ void RestCheck::endPeriod()
     if (period_s_ >= kShortest_s && period_scans_ >= kFewestScans)
     {
         ++periods_;
-        scans_ += period_scans_;
         rest_s_ += period_s_;
         longest_s_ = std::max(longest_s_, period_s_);
         const double slip_m = std::hypot(odometry_start_now_.x, odometry_start_now_.y);

@@ -24,7 +24,7 @@ class RestCheck
     double period_s_ = 0;
     std::uint64_t period_scans_ = 0;
 
-    std::uint64_t periods_ = 0, scans_ = 0, all_scans_ = 0;
+    std::uint64_t periods_ = 0;
     double all_s_ = 0, rest_s_ = 0, longest_s_ = 0;
     std::uint64_t slips_ = 0;  ///< periods in which the odometry moved
     double worst_slip_m_ = 0, worst_slip_rad_ = 0;
