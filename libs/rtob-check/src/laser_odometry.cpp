@@ -20,9 +20,14 @@ constexpr double kSameGuess_m = 0.08, kSameGuess_rad = 0.04;
 constexpr std::size_t kSearchPoints = 120;
 constexpr SearchWindow kSearchWindow{1.2, 1.0};
 
+/// All that matters is set: a witness should not change when the pipeline is tuned.
 IcpOptions icp_options()
 {
     IcpOptions options;
+    options.max_pair_distance_m = 0.6;
+    options.final_pair_distance_m = 0.15;
+    options.kernel_scale_m = 0.15;
+    options.line_radius_m = 0.15;
     options.iterations = 20;
     options.cell_points = 3;
     options.stop_step_m = 0.001;
