@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "compare/child_process.h"
 #include "compare/compare_job.h"
 #include "compare/variant_run.h"
 #include "exit_code.h"
@@ -206,6 +207,7 @@ VerbAction declare_compare_run(CLI::App& command)
     command.add_option("JOB", *file, "the job.json of a run")->type_name("")->required();
     return [file]
     {
+        end_with_parent();
         run_variant(read_job(*file), make_variant);
         return kExitOk;
     };

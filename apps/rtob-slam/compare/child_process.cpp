@@ -2,7 +2,9 @@
 #include "compare/child_process.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -81,6 +83,11 @@ std::string run_child(
         if (errno != EINTR)
             throw std::runtime_error(program + " was lost: " + std::strerror(errno));
     return failure_of(status, console_file);
+}
+
+void end_with_parent()
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
 std::string own_program()

@@ -12,6 +12,10 @@ namespace rtob
     const std::string& program, const std::vector<std::string>& arguments,
     const std::string& console_file);
 
+/// Lets the running program end together with the one that started it: a comparison that is killed
+/// leaves no runs behind.
+void end_with_parent();
+
 /// The file of the program that is running.
 [[nodiscard]] std::string own_program();
 }  // namespace rtob

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "compare/child_process.h"
 #include "error_message.h"
@@ -10,6 +13,17 @@ namespace rtob::test
 namespace
 {
 using testing::HasSubstr;
+
+ssize_t read_byte(int from)
+{
+    char byte = 0;
+    return read(from, &byte, 1);
+}
+void write_byte(int to)
+{
+    const char byte = 0;
+    if (write(to, &byte, 1) != 1) _exit(1);
+}
 
 class RunChild : public testing::Test
 {
@@ -47,6 +61,29 @@ TEST_F(RunChild, NamesTheSignalOfACrash)
 TEST_F(RunChild, HasEmptyInput)
 {
     EXPECT_EQ(shell("read line && exit 1; exit 0"), "");
+}
+
+TEST(EndWithParent, NobodyOutlivesTheOneThatStartedIt)
+{
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t parent = fork();
+    if (parent == 0)
+    {
+        if (fork() == 0)
+        {
+            end_with_parent();
+            write_byte(ends[1]);
+            pause();
+        }
+        pause();
+    }
+    close(ends[1]);
+    read_byte(ends[0]);  // the grandchild waits now, and holds the last end to write into
+    kill(parent, SIGKILL);
+    waitpid(parent, nullptr, 0);
+    EXPECT_EQ(read_byte(ends[0]), 0);  // closed: it has ended
+    close(ends[0]);
 }
 
 TEST_F(RunChild, RefusesAProgramThatIsNotThere)

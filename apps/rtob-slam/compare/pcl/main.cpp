@@ -3,6 +3,7 @@
 // program of its own, so that rtob-slam neither needs PCL nor carries its memory.
 #include <iostream>
 
+#include "compare/child_process.h"
 #include "compare/pcl/pcl_variant.h"
 #include "compare/variant_run.h"
 #include "exit_code.h"
@@ -27,6 +28,7 @@ int main(int argc, char** argv)
         std::cerr << "rtob-slam: rtob-compare-pcl is started by rtob-slam compare\n";
         return rtob::kExitUsage;
     }
+    rtob::end_with_parent();
     try
     {
         rtob::register_classes();
