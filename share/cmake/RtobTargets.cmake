@@ -16,7 +16,9 @@ function(rtob_configure_target target)
   if(RTOB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${RTOB_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all
-                                             -D_GLIBCXX_ASSERTIONS)
+                                             -D_GLIBCXX_ASSERTIONS
+                                             # gcc 12 is wrong about std::string so compiled.
+                                             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
     target_link_options(${target} PUBLIC -fsanitize=${RTOB_SANITIZE})
   endif()
   set_target_properties(${target} PROPERTIES
