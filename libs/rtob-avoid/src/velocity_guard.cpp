@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/avoid/velocity_guard.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtob
+{
+namespace
+{
+using Eigen::Vector2d;
+
+// A faster motion is a fault of its sensor.
+constexpr double kAbsurdSpeed_mps = 50;
+constexpr double kAbsurdTurn_radps = 50;
+// A pose this far from where the vehicle's own motion leads is another map, or another place of it.
+constexpr double kPoseJump_m = 0.3;
+constexpr double kPoseJump_rad = 0.2;
+// Nothing stands unseen nearer to the vehicle's margin than this: the laser would have shown it
+// from somewhere on the way here.
+constexpr double kSeenAround_m = 0.5;
+// Where obstacles leave less than this, the vehicle stops.
+constexpr double kSlowest_mps = 0.01;
+constexpr int kHalvings = 7;
+constexpr double kRounding_m = 1e-6;
+
+double bearing_of(const Vector2d& vector)
+{
+    return std::atan2(vector.y(), vector.x());
+}
+
+Vector2d turned(const Vector2d& vector, double angle_rad)
+{
+    const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+    return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
+}
+
+bool is_usable(const VehicleMotion& motion)
+{
+    return motion.velocity_vehicle.norm() < kAbsurdSpeed_mps &&
+           std::abs(motion.yaw_rate_radps) < kAbsurdTurn_radps;  // false for NaN
+}
+
+bool is_usable(const GuardScan& scan)
+{
+    const Pose2& mount = scan.pose_vehicle_laser;
+    return scan.ranges_m != nullptr && scan.beams > 0 && std::isfinite(scan.stamp_s) &&
+           scan.sweep_s >= 0 && scan.sweep_s < DeadReckoning::kLongestGap_s &&
+           std::isfinite(scan.first_bearing_rad) && std::isfinite(scan.step_rad) &&
+           scan.max_range_m > 0 && std::isfinite(mount.x + mount.y + mount.yaw);
+}
+
+bool is_usable(const MapPose& pose)
+{
+    const Pose2& place = pose.pose_map_vehicle;
+    return !pose.is_lost && std::isfinite(pose.stamp_s + place.x + place.y + place.yaw) &&
+           pose.sigma_m >= 0 && std::isfinite(pose.sigma_m);
+}
+
+bool is_jump(const Pose2& pose_expected_found)
+{
+    return std::hypot(pose_expected_found.x, pose_expected_found.y) > kPoseJump_m ||
+           std::abs(pose_expected_found.yaw) > kPoseJump_rad;
+}
+
+GuardDecision stop(GuardReason reason)
+{
+    GuardDecision decision;
+    decision.reason = reason;
+    return decision;
+}
+
+const VehicleLimits& checked(const VehicleLimits& options)
+{
+    options.validate();
+    return options;
+}
+
+const GuardOptions& checked(const GuardOptions& options)
+{
+    options.validate();
+    return options;
+}
+}  // namespace
+
+VelocityGuard::VelocityGuard(const VehicleLimits& vehicle, const GuardOptions& options)
+    : vehicle_(checked(vehicle)),
+      options_(checked(options)),
+      picture_(options),
+      memory_(options),
+      commands_(vehicle.latency_s),
+      stopping_(vehicle),
+      guidance_(options)
+{
+    constexpr std::size_t kScanPoints = 2048;
+    obstacles_.reserve(static_cast<std::size_t>(options.memory_points) + kScanPoints);
+}
+
+void VelocityGuard::observe(const GuardScan& scan, const MapPose& pose)
+{
+    const bool is_new = picture_.isEmpty() || scan.end_s() > picture_.time_s();
+    if (!is_usable(scan) || !is_new) return;
+    if (pose_map_picture_) memory_.add(picture_, *pose_map_picture_, picture_.time_s());
+    const Pose2 pose_odom_before = picture_.poseOdomVehicle();
+    if (!picture_.take(scan, reckoning_)) return;
+    if (pose_map_picture_)  // until SLAM says better
+        pose_map_picture_ =
+            compose(*pose_map_picture_, between(pose_odom_before, picture_.poseOdomVehicle()));
+    locate(pose);
+    if (pose_map_picture_)
+        memory_.update(picture_, *pose_map_picture_, picture_.time_s());
+    else
+        memory_.clear();
+}
+
+void VelocityGuard::locate(const MapPose& pose)
+{
+    const auto pose_odom_stamp =
+        is_usable(pose) ? reckoning_.poseAt(pose.stamp_s) : std::optional<Pose2>();
+    if (!pose_odom_stamp)
+    {
+        pose_map_picture_.reset();
+        return;
+    }
+    const Pose2 pose_map_found =
+        compose(pose.pose_map_vehicle, between(*pose_odom_stamp, picture_.poseOdomVehicle()));
+    if (pose_map_picture_ && is_jump(between(*pose_map_picture_, pose_map_found))) memory_.clear();
+    pose_map_picture_ = pose_map_found;
+    pose_sigma_m_ = pose.sigma_m;
+}
+
+GuardDecision VelocityGuard::decide(
+    double now_s, const Vector2d& wish_vehicle, const VehicleMotion& motion)
+{
+    const GuardDecision decision = judge(now_s, wish_vehicle, motion);
+    if (reckoning_.hasStarted())
+        commands_.add(now_s, turned(decision.velocity_vehicle, reckoning_.newest().yaw));
+    return decision;
+}
+
+GuardDecision VelocityGuard::judge(
+    double now_s, const Vector2d& wish_vehicle, const VehicleMotion& motion)
+{
+    if (!std::isfinite(now_s) || !is_usable(motion)) return stop(GuardReason::NoData);
+    if (!reckoning_.add(now_s, motion))
+    {
+        picture_.clear();
+        commands_.clear();
+    }
+    if (!wish_vehicle.allFinite() || picture_.isEmpty()) return stop(GuardReason::NoData);
+    if (!(std::abs(now_s - picture_.time_s()) <= options_.max_scan_age_s))
+        return stop(GuardReason::Stale);
+    pose_picture_vehicle_ = between(picture_.poseOdomVehicle(), reckoning_.newest());
+    actOn(motion, now_s);
+    return choose(wish_vehicle);
+}
+
+void VelocityGuard::actOn(const VehicleMotion& motion, double now_s)
+{
+    std::array<Vector2d, CommandLog::kMaxActing> commands_odom;
+    std::array<Vector2d, CommandLog::kMaxActing + 1> acting_vehicle;
+    const std::size_t count = commands_.acting(now_s, commands_odom);
+    for (std::size_t i = 0; i < count; ++i)
+        acting_vehicle[i] = turned(commands_odom[i], -reckoning_.newest().yaw);
+    acting_vehicle[count] = motion.velocity_vehicle;
+    stopping_.setActing(acting_vehicle.data(), count + 1);
+}
+
+GuardDecision VelocityGuard::choose(const Vector2d& wish_vehicle)
+{
+    const double wished_mps = wish_vehicle.norm();
+    const double limit_mps = usesMemory()
+                                 ? vehicle_.max_speed_mps
+                                 : std::min(vehicle_.max_speed_mps, options_.lost_speed_mps);
+    GuardDecision decision;
+    decision.reason = usesMemory() ? GuardReason::Free : GuardReason::Lost;
+    if (wished_mps == 0)
+    {
+        guidance_.reset();
+        return decision;
+    }
+    const Vector2d capped = wish_vehicle * std::min(1.0, limit_mps / wished_mps);
+    gatherObstacles(capped.norm());
+
+    const Way way = bestWay(capped);
+    decision.velocity_vehicle = way.velocity_vehicle;
+    decision.bend_rad = way.bend_rad;
+    if (way.velocity_vehicle == wish_vehicle) return decision;
+    nameLimit(capped, decision);
+    const bool is_stopped = way.velocity_vehicle.isZero();
+    if (way.is_unknown)
+        decision.reason = GuardReason::NoData;
+    else if (is_stopped)
+        decision.reason = GuardReason::Blocked;
+    else if (usesMemory())
+        decision.reason = way.bend_rad != 0 ? GuardReason::Guided : GuardReason::Slowed;
+    return decision;
+}
+
+void VelocityGuard::gatherObstacles(double speed_mps)
+{
+    obstacles_.clear();
+    const double keep_m = vehicle_.clearance();
+    const double remembered_keep_m =
+        keep_m + (usesMemory() ? options_.pose_sigmas * pose_sigma_m_ : 0);
+    const double reach_m = std::max(stopping_.reach(speed_mps), options_.lookahead_m) + 2 * keep_m;
+    const Pose2 pose_vehicle_picture = inverse(pose_picture_vehicle_);
+    gather(picture_.hits().view(), pose_vehicle_picture, keep_m, reach_m);
+    if (options_.unknown != UnknownPolicy::Allow)
+        gather(picture_.horizon().view(), pose_vehicle_picture, keep_m, reach_m);
+    if (usesMemory())
+        gather(
+            memory_.points_map(), compose(pose_vehicle_picture, inverse(*pose_map_picture_)),
+            remembered_keep_m, reach_m);
+    excuseWhatStoppingCannotAvoid();
+}
+
+void VelocityGuard::gather(
+    const PointsView& points, const Pose2& pose_vehicle_points, double keep_m, double reach_m)
+{
+    const double c = std::cos(pose_vehicle_points.yaw), s = std::sin(pose_vehicle_points.yaw);
+    const double x0 = pose_vehicle_points.x, y0 = pose_vehicle_points.y;
+    for (std::size_t i = 0; i < points.size; ++i)
+    {
+        const double px = points.x[i], py = points.y[i];
+        const double x = x0 + c * px - s * py, y = y0 + s * px + c * py;
+        if (x * x + y * y < reach_m * reach_m) obstacles_.push_back({{x, y}, keep_m});
+    }
+}
+
+/// An obstacle that comes nearer than it should even if the vehicle stops at once must not come
+/// nearer than that; so stopping is always allowed, and so is getting away.
+void VelocityGuard::excuseWhatStoppingCannotAvoid()
+{
+    const ConvexArea at_once = stopping_.of(Vector2d::Zero());
+    for (NearObstacle& obstacle : obstacles_)
+        if (at_once.isWithin(obstacle.place_vehicle, obstacle.keep_m))
+            obstacle.keep_m =
+                std::sqrt(at_once.squaredDistance(obstacle.place_vehicle)) - kRounding_m;
+}
+
+bool VelocityGuard::isUnknown(double bearing_rad) const
+{
+    const double body_rad = std::asin(vehicle_.radius_m / (vehicle_.clearance() + kSeenAround_m));
+    return picture_.isUnknown(bearing_rad + pose_picture_vehicle_.yaw, body_rad);
+}
+
+bool VelocityGuard::isSafe(const Vector2d& command) const
+{
+    const ConvexArea area = stopping_.of(command);
+    return std::none_of(
+        obstacles_.begin(), obstacles_.end(),
+        [&](const NearObstacle& obstacle)
+        { return area.isWithin(obstacle.place_vehicle, obstacle.keep_m); });
+}
+
+/// The wish on a bent way, with obstacles left aside.
+VelocityGuard::Way VelocityGuard::asWished(const Vector2d& wish_vehicle, double bend_rad) const
+{
+    Way way;
+    way.bend_rad = bend_rad;
+    way.velocity_vehicle =
+        bend_rad == 0 ? wish_vehicle : turned(wish_vehicle, bend_rad) * std::cos(bend_rad);
+    if (options_.unknown == UnknownPolicy::Allow || !isUnknown(bearing_of(way.velocity_vehicle)))
+        return way;
+    way.is_unknown = true;
+    const double unknown_mps =
+        options_.unknown == UnknownPolicy::Creep ? options_.creep_speed_mps : 0;
+    way.velocity_vehicle *= std::min(1.0, unknown_mps / way.velocity_vehicle.norm());
+    return way;
+}
+
+/// Straight ahead, unless a bend brings the vehicle farther along the wish.
+VelocityGuard::Way VelocityGuard::bestWay(const Vector2d& wish_vehicle)
+{
+    const Way whole = asWished(wish_vehicle, 0);
+    if (isSafe(whole.velocity_vehicle) && whole.velocity_vehicle == wish_vehicle) return whole;
+    const double bend_rad = guidance_.bend(
+        obstacles_, bearing_of(wish_vehicle),
+        [&](double bearing_rad)
+        { return options_.unknown == UnknownPolicy::Block && isUnknown(bearing_rad); });
+    const Way straight = fastest(whole);
+    if (bend_rad == 0) return straight;
+    const Way bent = fastest(asWished(wish_vehicle, bend_rad));
+    const auto progress = [&](const Way& way) { return way.velocity_vehicle.dot(wish_vehicle); };
+    return progress(bent) > progress(straight) ? bent : straight;
+}
+
+/// The fastest safe velocity on a way, in whole steps of the wished speed's 128th part.
+VelocityGuard::Way VelocityGuard::fastest(const Way& whole) const
+{
+    Way way = whole;
+    if (whole.velocity_vehicle.isZero() || isSafe(whole.velocity_vehicle)) return way;
+    double safe = 0, unsafe = 1;
+    for (int i = 0; i < kHalvings; ++i)
+    {
+        const double middle = (safe + unsafe) / 2;
+        (isSafe(middle * whole.velocity_vehicle) ? safe : unsafe) = middle;
+    }
+    way.velocity_vehicle *= safe;
+    if (way.velocity_vehicle.norm() < kSlowest_mps) way.velocity_vehicle.setZero();
+    return way;
+}
+
+/// The obstacle that forbids the wish; of several the nearest.
+void VelocityGuard::nameLimit(const Vector2d& wish_vehicle, GuardDecision& decision) const
+{
+    const ConvexArea area = stopping_.of(wish_vehicle);
+    double nearest_m = 0;
+    for (const NearObstacle& obstacle : obstacles_)
+    {
+        const double distance_m = obstacle.place_vehicle.norm();
+        const bool is_nearer = nearest_m == 0 || distance_m < nearest_m;
+        if (!is_nearer || !area.isWithin(obstacle.place_vehicle, obstacle.keep_m)) continue;
+        nearest_m = distance_m;
+        decision.limiting_bearing_rad = bearing_of(obstacle.place_vehicle);
+    }
+    decision.limiting_distance_m = nearest_m;
+}
+}  // namespace rtob
