@@ -2,7 +2,7 @@
 #pragma once
 #include <rtob/core/map_clock.h>
 #include <rtob/io/log_reader.h>
-#include <rtob/slam/angle_mask.h>
+#include <rtob/map/angle_mask.h>
 #include <rtob/slam/sensor_choice.h>
 
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <rtob/core/points.h>
-#include <rtob/slam/angle_mask.h>
+#include <rtob/map/angle_mask.h>
 
 #include <cstdint>
 #include <string>

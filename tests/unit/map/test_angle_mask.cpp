@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <mrpt/core/bits_math.h>
-#include <rtob/slam/angle_mask.h>
+#include <rtob/map/angle_mask.h>
 
 #include <stdexcept>
 #include <string>

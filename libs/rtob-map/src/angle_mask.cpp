@@ -2,8 +2,8 @@
 #include <mrpt/core/bits_math.h>
 #include <mrpt/system/string_utils.h>
 #include <rtob/core/pose2.h>
+#include <rtob/map/angle_mask.h>
 #include <rtob/map/option_text.h>
-#include <rtob/slam/angle_mask.h>
 
 #include <stdexcept>
 
