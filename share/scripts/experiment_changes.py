@@ -1,6 +1,6 @@
 """A moved cupboard: how long the pose is pulled towards where it stood."""
 import trajectories
-from experiment_runs import OUT, WORLDS, call, run, simulate, table
+from experiment_runs import OUT, WORLDS, call, density_flags, run, simulate, table
 
 DENSITIES = ["uniform", "window", "forgetting", "revisit"]
 MRPT = ["mrpt-stock", "mrpt-dense"]
@@ -46,11 +46,11 @@ def experiment(options):
     for seed in range(1, options.seeds + 1):
         log, truth = simulate(WORLDS / "cupboard.yaml", seed, folder)
         for density in DENSITIES:
-            results = run(log, seed, folder / f"{density}-{seed}", "--density", density)
+            results = run(log, seed, folder / f"{density}-{seed}", *density_flags(density))
             curves[density].append(bias(results, truth))
             results = run(
                 log, seed, folder / f"paper-{density}-{seed}", "-c", "config/paper.ini",
-                "--density", density)
+                *density_flags(density))
             curves["paper " + density].append(bias(results, truth))
         if seed > 1:
             continue  # MRPT's has no seeds; its log does

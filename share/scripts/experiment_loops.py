@@ -3,7 +3,7 @@ import math
 import random
 
 import trajectories
-from experiment_runs import OUT, run, simulate, table, text
+from experiment_runs import OUT, density_flags, run, simulate, table, text
 
 LENGTHS_M = [40, 100, 200, 400]
 DENSITIES = ["revisit", "uniform", "window", "forgetting"]
@@ -60,10 +60,10 @@ def world(length_m):
 
 
 def closing_error_cm(results, truth):
-    """How far off the way back to the start is, seen from the first pose there."""
+    """How far the start is off when it is seen again."""
     pairs = trajectories.matched(
         trajectories.read_tum(results / "trajectory.tum"), trajectories.read_tum(truth))
-    return 100 * (trajectories.revisit_error(pairs, near_m=1.0) or 0)
+    return 100 * (trajectories.revisit_shift(pairs, near_m=1.0) or 0)
 
 
 def experiment(options):
@@ -76,7 +76,8 @@ def experiment(options):
         for seed in range(1, options.seeds + 1):
             log, truth = simulate(file, seed, folder)
             for density in DENSITIES:
-                results = run(log, seed, folder / f"{length_m}-{density}-{seed}", "--density", density)
+                results = run(log, seed, folder / f"{length_m}-{density}-{seed}",
+                              *density_flags(density))
                 worst[density] = max(worst[density], closing_error_cm(results, truth))
         rows.append([f"{length_m} m", *(text(worst[density]) for density in DENSITIES)])
     yield f"Worst of {options.seeds} seeds: error of the revisited places, cm."

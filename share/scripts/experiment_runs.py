@@ -38,6 +38,12 @@ def run(log, seed, folder, *flags):
     return folder
 
 
+def density_flags(density):
+    """Forgetting alone needs a time: a minute."""
+    return ["--density", density] + (
+        ["--set", "Density.forgetting_s=60"] if density == "forgetting" else [])
+
+
 def figures(results, truth):
     """What the tables show. Lengths in cm, turns in degrees, times in ms."""
     evaluation = json.loads(
@@ -45,7 +51,7 @@ def figures(results, truth):
     summary = json.loads((results / "summary.json").read_text())
     pairs = trajectories.matched(
         trajectories.read_tum(results / "trajectory.tum"), trajectories.read_tum(truth))
-    revisit_m = trajectories.revisit_error(pairs)
+    revisit_m = trajectories.revisit_shift(pairs)
     position, turn = evaluation["ate"]["translation_m"], evaluation["ate"]["rotation_deg"]
     return {
         "scans": len(pairs),

@@ -1,20 +1,14 @@
 """Trajectories in TUM files, and figures of them that `rtob-slam eval` does not give."""
-import cmath
 import math
 
 
-class Pose:
-    """A pose in the plane: position as a complex number, m; heading, rad."""
+class Position:
+    """A position in the plane as a complex number, m."""
 
-    __slots__ = ("time_s", "at", "yaw")
+    __slots__ = ("time_s", "at")
 
-    def __init__(self, time_s, at, yaw):
-        self.time_s, self.at, self.yaw = time_s, at, yaw
-
-    def seen_from(self, other):
-        """Position in the other's axes, and the turn against it."""
-        turn = math.remainder(self.yaw - other.yaw, 2 * math.pi)
-        return (self.at - other.at) * cmath.exp(-1j * other.yaw), turn
+    def __init__(self, time_s, at):
+        self.time_s, self.at = time_s, at
 
 
 def read_tum(file):
@@ -23,8 +17,8 @@ def read_tum(file):
         for line in lines:
             if line.startswith("#") or not line.strip():
                 continue
-            t, x, y, _, _, _, qz, qw = map(float, line.split())
-            poses.append(Pose(t, complex(x, y), 2 * math.atan2(qz, qw)))
+            time_s, x, y = map(float, line.split()[:3])
+            poses.append(Position(time_s, complex(x, y)))
     return poses
 
 
@@ -47,19 +41,29 @@ def position_errors(pairs, align_until_s=math.inf):
     return [(e.time_s - start, turn * (e.at - mean_e) + mean_t - t.at) for e, t in pairs]
 
 
-def revisit_error(pairs, near_m=0.5, apart_s=30.0, step_s=1.0):
-    """The largest error, in m, of one pose seen from an earlier one at the same place: what a map
-    that comes back shifted would show. None where no place is seen again."""
-    chosen, last = [], -math.inf
-    for estimate, true in pairs:
-        if estimate.time_s - last >= step_s:
-            chosen.append((estimate, true))
-            last = estimate.time_s
-    worst = None
-    for i, (late, true_late) in enumerate(chosen):
-        for early, true_early in chosen[:i]:
-            if late.time_s - early.time_s < apart_s or abs(true_late.at - true_early.at) > near_m:
-                continue
-            error = abs(late.seen_from(early)[0] - true_late.seen_from(true_early)[0])
-            worst = error if worst is None else max(worst, error)
-    return worst
+def mean_errors(pairs, over_s=2.0, step_s=1.0):
+    """Every second: the truth in the middle, and the mean error vector over 2 s. What a single
+    scan is off averages out; what the map is off stays."""
+    errors = position_errors(pairs)
+    means, first, due = [], 0, over_s / 2
+    for i, (time_s, _) in enumerate(errors):
+        if time_s < due:
+            continue
+        due = time_s + step_s
+        while errors[first][0] < time_s - over_s / 2:
+            first += 1
+        window = [e for t, e in errors[first:i + 60] if t <= time_s + over_s / 2]
+        means.append((time_s, pairs[i][1].at, sum(window) / len(window)))
+    return means
+
+
+def revisit_shift(pairs, near_m=0.5, apart_s=30.0):
+    """The largest shift, in m, between what is found at a place and what was found there at least
+    30 s before: what a map that comes back shifted shows. None where no place is seen again."""
+    means = mean_errors(pairs)
+    shifts = [
+        abs(late_error - early_error)
+        for i, (late_s, late_at, late_error) in enumerate(means)
+        for early_s, early_at, early_error in means[:i]
+        if late_s - early_s >= apart_s and abs(late_at - early_at) <= near_m]
+    return max(shifts, default=None)
