@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "lanes.h"
+
 #include <rtob/core/pair_table.h>
-#include <rtob/core/simd.h>
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +9,27 @@ namespace rtob
 {
 namespace
 {
-constexpr std::size_t kLanes = 8;  // the sums' order is fixed by this, not by the processor
 
-/// What a sum over pairs reads; blocks of kLanes.
-struct Columns
+// Where the neighbour of a point that is alone stands: a finite number, so that a weight of 0 takes
+// it out of all sums, whose square is finite, too.
+constexpr float kNowhere = 1e15f;
+
+RTOB_SIMD_CLONES void square_distances(const PairColumns& c, float* squared_distance)
 {
-    const float *x, *y, *u, *v, *nx, *ny, *d2;
-    std::size_t blocks;
-};
+    for (std::size_t i = 0; i < c.blocks * kLanes; ++i)
+    {
+        const float dx = c.u[i] - c.x[i], dy = c.v[i] - c.y[i];
+        squared_distance[i] = dx * dx + dy * dy;
+    }
+}
 
-RTOB_SIMD_CLONES void line_residuals(const Columns& c, float* squared_residual)
+RTOB_SIMD_CLONES void drop_beyond(const PairColumns& c, float limit2, float* weight)
+{
+    for (std::size_t i = 0; i < c.blocks * kLanes; ++i)
+        weight[i] = c.d2[i] <= limit2 ? weight[i] : 0;
+}
+
+RTOB_SIMD_CLONES void line_residuals(const PairColumns& c, float* squared_residual)
 {
     for (std::size_t i = 0; i < c.blocks * kLanes; ++i)
     {
@@ -68,7 +80,7 @@ enum MotionSum
 };
 
 RTOB_SIMD_CLONES void add_motion_lanes(
-    const Columns& c, const float* weight, float origin_x, float origin_y, float* sums)
+    const PairColumns& c, const float* weight, float origin_x, float origin_y, float* sums)
 {
     float lanes[kMotionSums][kLanes] = {};
     for (std::size_t i = 0; i < c.blocks * kLanes; i += kLanes)
@@ -105,7 +117,7 @@ enum NormalSum
 };
 
 RTOB_SIMD_CLONES void add_normal_lanes(
-    const Columns& c, const float* weight, float center_x, float center_y, float along_line,
+    const PairColumns& c, const float* weight, float center_x, float center_y, float along_line,
     float* sums)
 {
     float lanes[kNormalSums][kLanes] = {};
@@ -140,42 +152,40 @@ RTOB_SIMD_CLONES void add_normal_lanes(
 }
 }  // namespace
 
-void PairTable::clear()
+void PairTable::reset(std::size_t scan_points)
 {
-    size_ = 0;
+    size_ = scan_points;
+    pairs_ = 0;
+    const std::size_t padded = blocks() * kLanes;
+    for (auto* column : {&x_, &y_, &normal_x_, &normal_y_}) column->assign(padded, 0);
+    for (auto* column : {&neighbour_x_, &neighbour_y_}) column->assign(padded, kNowhere);
+    squared_distance_.resize(padded);
+    weight_.resize(padded);
 }
 
-void PairTable::reserve(std::size_t pairs)
+void PairTable::move(const PointsView& scan, const Pose2& pose)
 {
-    const std::size_t padded = (pairs + kLanes - 1) / kLanes * kLanes;
-    if (x_.size() >= padded) return;
-    scan_point_.resize(padded);
-    neighbour_.resize(padded);
-    for (auto* column :
-         {&x_, &y_, &neighbour_x_, &neighbour_y_, &normal_x_, &normal_y_, &squared_distance_,
-          &weight_})
-        column->resize(padded);
+    const auto c = static_cast<float>(std::cos(pose.yaw));
+    const auto s = static_cast<float>(std::sin(pose.yaw));
+    const auto tx = static_cast<float>(pose.x), ty = static_cast<float>(pose.y);
+    for (std::size_t i = 0; i < size_; ++i)
+    {
+        x_[i] = c * scan.x[i] - s * scan.y[i] + tx;
+        y_[i] = s * scan.x[i] + c * scan.y[i] + ty;
+    }
 }
 
-void PairTable::add(const Pair& pair)
+void PairTable::pair(std::size_t i, const Neighbour& neighbour)
 {
-    const std::size_t i = size_++;
-    scan_point_[i] = pair.scan_point;
-    neighbour_[i] = pair.neighbour;
-    x_[i] = pair.x;
-    y_[i] = pair.y;
-    neighbour_x_[i] = pair.neighbour_x;
-    neighbour_y_[i] = pair.neighbour_y;
-    normal_x_[i] = pair.normal_x;
-    normal_y_[i] = pair.normal_y;
-    squared_distance_[i] = pair.squared_distance;
+    neighbour_x_[i] = neighbour.x;
+    neighbour_y_[i] = neighbour.y;
+    normal_x_[i] = neighbour.normal_x;
+    normal_y_[i] = neighbour.normal_y;
 }
 
-PairTable::Pair PairTable::at(std::size_t i) const
+void PairTable::leaveAlone(std::size_t i)
 {
-    return {scan_point_[i], neighbour_[i],   x_[i],
-            y_[i],          neighbour_x_[i], neighbour_y_[i],
-            normal_x_[i],   normal_y_[i],    squared_distance_[i]};
+    pair(i, {kNowhere, kNowhere});
 }
 
 std::size_t PairTable::blocks() const
@@ -183,17 +193,30 @@ std::size_t PairTable::blocks() const
     return (size_ + kLanes - 1) / kLanes;
 }
 
+PairColumns PairTable::columns() const
+{
+    return {x_.data(),        y_.data(),        neighbour_x_.data(),      neighbour_y_.data(),
+            normal_x_.data(), normal_y_.data(), squared_distance_.data(), blocks()};
+}
+
+void PairTable::measure(double max_distance_m)
+{
+    const auto limit_m = static_cast<float>(max_distance_m);
+    limit2_ = limit_m * limit_m;
+    square_distances(columns(), squared_distance_.data());
+    pairs_ = static_cast<std::size_t>(std::count_if(
+        squared_distance_.begin(), squared_distance_.begin() + static_cast<std::ptrdiff_t>(size_),
+        [this](float d2) { return d2 <= limit2_; }));
+}
+
 void PairTable::weigh(RobustKernel kernel, double scale_m, bool to_line)
 {
     if (to_line)
-        line_residuals(
-            {x_.data(), y_.data(), neighbour_x_.data(), neighbour_y_.data(), normal_x_.data(),
-             normal_y_.data(), squared_distance_.data(), blocks()},
-            weight_.data());
+        line_residuals(columns(), weight_.data());
     else
-        std::copy_n(squared_distance_.begin(), size_, weight_.begin());
+        std::copy(squared_distance_.begin(), squared_distance_.end(), weight_.begin());
     kernel_weights(kernel, static_cast<float>(1 / (scale_m * scale_m)), blocks(), weight_.data());
-    std::fill_n(weight_.begin() + static_cast<std::ptrdiff_t>(size_), blocks() * kLanes - size_, 0);
+    drop_beyond(columns(), limit2_, weight_.data());
 }
 
 Pose2 PairTable::rigidMotion() const
@@ -202,10 +225,7 @@ Pose2 PairTable::rigidMotion() const
     // Seen from the first point the numbers stay small, and so does what rounding takes.
     const float origin_x = x_[0], origin_y = y_[0];
     std::array<float, kMotionSums> lanes{};
-    add_motion_lanes(
-        {x_.data(), y_.data(), neighbour_x_.data(), neighbour_y_.data(), nullptr, nullptr, nullptr,
-         blocks()},
-        weight_.data(), origin_x, origin_y, lanes.data());
+    add_motion_lanes(columns(), weight_.data(), origin_x, origin_y, lanes.data());
     std::array<double, kMotionSums> sum{};
     std::copy(lanes.begin(), lanes.end(), sum.begin());
     if (sum[kW] <= 0) return {};
@@ -226,9 +246,7 @@ PairTable::NormalEquations PairTable::normalEquations(
 {
     std::array<float, kNormalSums> sum{};
     add_normal_lanes(
-        {x_.data(), y_.data(), neighbour_x_.data(), neighbour_y_.data(), normal_x_.data(),
-         normal_y_.data(), nullptr, blocks()},
-        weight_.data(), static_cast<float>(center_x), static_cast<float>(center_y),
+        columns(), weight_.data(), static_cast<float>(center_x), static_cast<float>(center_y),
         static_cast<float>(along_line), sum.data());
     NormalEquations equations;
     equations.h << sum[kH00], sum[kH01], sum[kH02],  //

@@ -40,7 +40,7 @@ TEST(LineField, ANormalStandsOnItsWall)
         Field field(wall(direction_rad));
         for (std::int32_t i = 0; i < 41; ++i)
         {
-            const auto& line = field.lines.at(i);
+            const auto& line = field.lines.at(field.grid, i);
             const double along =
                 line.normal_x * std::cos(direction_rad) + line.normal_y * std::sin(direction_rad);
             EXPECT_NEAR(along, 0, 1e-3) << direction_rad;
@@ -66,7 +66,7 @@ TEST(LineField, PointsWithoutADirectionMakeNoLine)
         const float x = field.grid.points().x[j], y = field.grid.points().y[j];
         const bool middle_of_blob = x == 0.06f && y == 0.06f;
         if (x < 1 && !middle_of_blob) continue;
-        EXPECT_EQ(field.lines.at(i).normal_x, 0) << x << ", " << y;
-        EXPECT_EQ(field.lines.at(i).normal_y, 0) << x << ", " << y;
+        EXPECT_EQ(field.lines.at(field.grid, i).normal_x, 0) << x << ", " << y;
+        EXPECT_EQ(field.lines.at(field.grid, i).normal_y, 0) << x << ", " << y;
     }
 }

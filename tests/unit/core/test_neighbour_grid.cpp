@@ -128,6 +128,36 @@ TEST(NeighbourGrid, EqualsBruteForceFarBeyondItsTable)
         any_share);
 }
 
+// A table of 64 x 64 cells of 12.5 mm, and radii beyond its width.
+TEST(NeighbourGrid, EqualsBruteForceWithRadiiWiderThanItsTable)
+{
+    rtob::Random random(11);
+    NeighbourGrid grid;
+    const auto coordinate = [&] { return static_cast<float>(6 * random.uniform() - 3); };
+    for (int world = 0; world < 20; ++world)
+    {
+        Points points;
+        for (auto n = 1 + random.below(30); n > 0; --n) points.add(coordinate(), coordinate());
+        grid.build(points.view(), 0.1);
+        for (int i = 0; i < 100; ++i)
+        {
+            const float x = coordinate(), y = coordinate();
+            const auto radius_m = static_cast<float>(2 * random.uniform());
+            const float expected = brute_force(points, x, y, radius_m);
+            const auto neighbour = grid.nearest(x, y, radius_m);
+            ASSERT_EQ(neighbour.index == NeighbourGrid::kNone, expected < 0);
+            ASSERT_TRUE(expected < 0 || neighbour.squared_distance == expected);
+            float within = 0;
+            for (std::size_t j = 0; j < points.size(); ++j)
+            {
+                const float dx = points.x[j] - x, dy = points.y[j] - y;
+                within += dx * dx + dy * dy <= radius_m * radius_m ? 1.0f : 0.0f;
+            }
+            ASSERT_EQ(grid.sumsNear(x, y, radius_m).n, within);
+        }
+    }
+}
+
 TEST(NeighbourGrid, FindsNothingWhereNothingIs)
 {
     NeighbourGrid grid;
@@ -175,23 +205,34 @@ TEST(NeighbourGrid, KeepsEachPointAndItsOrigin)
     }
 }
 
-TEST(NeighbourGrid, ForEachNearVisitsEachPointWithinTheRadiusOnce)
+TEST(NeighbourGrid, SumsCountEachPointWithinTheRadiusOnce)
 {
     rtob::Random random(2);
     Points points;
-    for (int i = 0; i < 400; ++i)
+    // 16 m: the table of 64 cells of 37 mm wraps around many times.
+    for (int i = 0; i < 4000; ++i)
         points.add(
-            static_cast<float>(4 * random.uniform()), static_cast<float>(4 * random.uniform()));
+            static_cast<float>(16 * random.uniform()), static_cast<float>(2 * random.uniform()));
     NeighbourGrid grid;
     grid.build(points.view(), 0.3);
-    std::vector<int> visits(points.size());
-    grid.forEachNear(2, 2, 0.3f, [&](std::int32_t i) { ++visits[static_cast<std::size_t>(i)]; });
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (int query = 0; query < 200; ++query)
     {
-        const float dx = grid.points().x[i] - 2, dy = grid.points().y[i] - 2;
-        EXPECT_LE(visits[i], 1);
-        const bool near = dx * dx + dy * dy <= 0.09f;
-        EXPECT_GE(visits[i], near ? 1 : 0);
+        const auto x = static_cast<float>(16 * random.uniform());
+        const auto y = static_cast<float>(2 * random.uniform());
+        double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const float dx = points.x[i] - x, dy = points.y[i] - y;
+            if (dx * dx + dy * dy > 0.3f * 0.3f) continue;
+            n += 1, sx += dx, sy += dy, sxx += dx * dx, sxy += dx * dy, syy += dy * dy;
+        }
+        const auto sums = grid.sumsNear(x, y, 0.3f);
+        EXPECT_EQ(sums.n, n);
+        EXPECT_NEAR(sums.x, sx, 1e-5);
+        EXPECT_NEAR(sums.y, sy, 1e-5);
+        EXPECT_NEAR(sums.xx, sxx, 1e-5);
+        EXPECT_NEAR(sums.xy, sxy, 1e-5);
+        EXPECT_NEAR(sums.yy, syy, 1e-5);
     }
 }
 

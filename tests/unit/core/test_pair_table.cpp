@@ -15,32 +15,41 @@ using rtob::RobustKernel;
 
 constexpr double kScale_m = 0.2;
 
+struct Pair
+{
+    float x, y, neighbour_x, neighbour_y, normal_x = 0, normal_y = 0;
+};
+
 /// Pairs up to 0.4 m apart; every third is on no line. Their number fills no whole block.
-std::vector<PairTable::Pair> some_pairs(std::size_t count)
+std::vector<Pair> some_pairs(std::size_t count)
 {
     rtob::Random random(7);
     const auto between = [&](double low, double high)
     { return static_cast<float>(low + (high - low) * random.uniform()); };
-    std::vector<PairTable::Pair> pairs;
+    std::vector<Pair> pairs;
     for (std::uint32_t i = 0; i < count; ++i)
     {
-        PairTable::Pair pair{i, static_cast<std::int32_t>(i), between(-9, 9), between(-6, 6), 0, 0};
+        Pair pair{between(-9, 9), between(-6, 6), 0, 0};
         pair.neighbour_x = pair.x + between(-0.28, 0.28);
         pair.neighbour_y = pair.y + between(-0.28, 0.28);
         const float angle = between(-3, 3);
         if (i % 3 != 0) pair.normal_x = std::cos(angle), pair.normal_y = std::sin(angle);
-        const float dx = pair.x - pair.neighbour_x, dy = pair.y - pair.neighbour_y;
-        pair.squared_distance = dx * dx + dy * dy;
         pairs.push_back(pair);
     }
     return pairs;
 }
 
-PairTable table_of(const std::vector<PairTable::Pair>& pairs)
+PairTable table_of(const std::vector<Pair>& pairs, double max_distance_m = 1)
 {
     PairTable table;
-    table.reserve(pairs.size());
-    for (const auto& pair : pairs) table.add(pair);
+    table.reset(pairs.size());
+    rtob::Points scan;
+    for (const auto& pair : pairs) scan.add(pair.x, pair.y);
+    table.move(scan.view(), {});
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        table.pair(
+            i, {pairs[i].neighbour_x, pairs[i].neighbour_y, pairs[i].normal_x, pairs[i].normal_y});
+    table.measure(max_distance_m);
     return table;
 }
 
@@ -62,10 +71,10 @@ double weight_of(RobustKernel kernel, double residual)
     return 0;
 }
 
-double residual_of(const PairTable::Pair& pair, bool to_line)
+double residual_of(const Pair& pair, bool to_line)
 {
     if (!to_line || (pair.normal_x == 0 && pair.normal_y == 0))
-        return std::sqrt(static_cast<double>(pair.squared_distance));
+        return std::hypot(pair.x - pair.neighbour_x, pair.y - pair.neighbour_y);
     return pair.normal_x * (pair.x - pair.neighbour_x) +
            pair.normal_y * (pair.y - pair.neighbour_y);
 }
@@ -138,28 +147,46 @@ TEST_P(PairTableKernels, TheRigidMotionIsTheWeightedUmeyama)
     EXPECT_NEAR(motion.y, shift.y(), 1e-5);
 }
 
-TEST(PairTable, KeepsWhatWasAdded)
+TEST(PairTable, MovesTheScanByThePose)
 {
-    const auto pairs = some_pairs(11);
-    const PairTable table = table_of(pairs);
-    ASSERT_EQ(table.size(), pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-    {
-        EXPECT_EQ(table.scanPoint(i), pairs[i].scan_point);
-        EXPECT_EQ(table.at(i).neighbour_y, pairs[i].neighbour_y);
-        EXPECT_EQ(table.at(i).normal_x, pairs[i].normal_x);
-    }
+    PairTable table;
+    table.reset(1);
+    rtob::Points scan;
+    scan.add(2, 1);
+    table.move(scan.view(), {10, 20, 1.5707963267948966});
+    EXPECT_NEAR(table.points().x[0], 9, 1e-6);
+    EXPECT_NEAR(table.points().y[0], 22, 1e-6);
 }
 
-TEST(PairTable, OldPairsDoNotCountAfterClear)
+TEST(PairTable, OnlyPairsWithinTheDistanceCount)
+{
+    const auto pairs = some_pairs(40);
+    std::size_t near = 0;
+    for (const auto& pair : pairs) near += residual_of(pair, false) <= 0.2 ? 1 : 0;
+    ASSERT_GT(near, 5u);
+    ASSERT_LT(near, 35u);
+    PairTable table = table_of(pairs, 0.2);
+    EXPECT_EQ(table.scanPoints(), 40u);
+    EXPECT_EQ(table.pairs(), near);
+    table.weigh(RobustKernel::None, kScale_m, false);
+    EXPECT_NEAR(table.normalEquations(0, 0, 1).h(0, 0), static_cast<double>(near), 1e-4);
+}
+
+TEST(PairTable, PointsThatAreAloneDoNotCount)
 {
     const auto pairs = some_pairs(40);
     PairTable table = table_of(pairs);
-    table.weigh(RobustKernel::None, kScale_m, false);
-    table.clear();
-    table.add(pairs.front());
-    table.weigh(RobustKernel::None, kScale_m, false);
-    EXPECT_NEAR(table.normalEquations(0, 0, 0).h(0, 0), 1, 1e-6);
+    for (std::size_t i = 1; i < pairs.size(); ++i) table.leaveAlone(i);
+    table.measure(1);
+    EXPECT_EQ(table.pairs(), 1u);
+    EXPECT_TRUE(table.isPaired(0));
+    EXPECT_FALSE(table.isPaired(1));
+    for (const bool to_line : {false, true})
+    {
+        table.weigh(RobustKernel::None, kScale_m, to_line);
+        EXPECT_NEAR(table.normalEquations(0, 0, 0).h(0, 0), 1, 1e-6);
+        EXPECT_TRUE(std::isfinite(table.rigidMotion().x));
+    }
 }
 
 TEST(PairTable, NoPairsMoveNothing)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <rtob/core/line_field.h>
-#include <rtob/core/neighbour_grid.h>
+#include <rtob/core/correspondences.h>
+#include <rtob/core/icp_reference.h>
 #include <rtob/core/pair_table.h>
 #include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
@@ -105,21 +105,26 @@ class Icp
     [[nodiscard]] IcpResult align(
         const PointsView& scan, const PointsView& reference, const CorrectionPrior& prior = {});
 
+    /// The same against a reference that was made ready before.
+    /// @param origin the pre-aligned vehicle position, seen from where the reference is.
+    [[nodiscard]] IcpResult align(
+        const PointsView& scan, IcpReference& reference, const Eigen::Vector2d& origin,
+        const CorrectionPrior& prior = {});
+
+    /// Makes points ready for align() with these options.
+    void prepare(const PointsView& points, IcpReference& reference) const;
+
  private:
-    [[nodiscard]] bool isAtRest(const Pose2& before, const Pose2& now) const;
+    [[nodiscard]] static bool isAtRest(const Pose2& before, const Pose2& now, double step_m);
     [[nodiscard]] double pairDistance(int iteration) const;
-    void move(const PointsView& scan, const Pose2& correction);
-    void findPairs(double max_distance_m);
-    [[nodiscard]] float reachOf(std::size_t scan_point, float max_distance_m) const;
-    [[nodiscard]] Pose2 fit(const Pose2& correction, const CorrectionPrior& prior) const;
-    [[nodiscard]] std::size_t countKnown() const;
-    void describe(const PointsView& scan, IcpResult& result);
+    [[nodiscard]] Pose2 fit(
+        const Pose2& pose, const Pose2& start, const CorrectionPrior& prior) const;
+    [[nodiscard]] std::size_t countKnown(const NeighbourGrid& reference) const;
+    void describe(IcpReference& reference, const Pose2& pose, IcpResult& result);
 
     IcpOptions options_;
-    NeighbourGrid grid_;
-    LineField lines_;
-    Points moved_;                    ///< the scan under the current correction
-    std::vector<std::int32_t> last_;  ///< each scan point's neighbour in the last iteration
-    PairTable pairs_;
+    IcpReference own_reference_;
+    PairTable pairs_;  ///< the scan under the current correction
+    Correspondences correspondences_;
 };
 }  // namespace rtob

@@ -17,13 +17,12 @@ class LineField
 
     void reset(const NeighbourGrid& grid, double radius_m);
 
-    /// The line at a sorted point of the grid.
-    [[nodiscard]] const Line& at(std::int32_t index);
+    /// The line at a sorted point of the grid, which is that of reset().
+    [[nodiscard]] const Line& at(const NeighbourGrid& grid, std::int32_t index);
 
  private:
-    [[nodiscard]] Line fit(std::int32_t index) const;
+    [[nodiscard]] Line fit(const NeighbourGrid& grid, std::int32_t index) const;
 
-    const NeighbourGrid* grid_ = nullptr;
     float radius_m_ = 0;
     std::vector<Line> lines_;
 };

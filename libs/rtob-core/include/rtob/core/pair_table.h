@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,29 +29,42 @@ constexpr auto enum_names(RobustKernel)
          {RobustKernel::Tukey, "tukey"}}};
 }
 
-/// Pairs of a scan point, moved to where it is believed to be, and its neighbour in the reference.
-/// One array a quantity, so that the sums over all pairs use the processor's lanes.
+/// What a sum over pairs reads; blocks of as many as the lanes are.
+struct PairColumns
+{
+    const float *x, *y, *u, *v, *nx, *ny, *d2;
+    std::size_t blocks;
+};
+
+/// The points of a scan, moved to where they are believed to be, each with its neighbour in the
+/// reference or alone. One array a quantity, so that the sums over all pairs use the processor's
+/// lanes.
 class PairTable
 {
  public:
-    struct Pair
+    struct Neighbour
     {
-        std::uint32_t scan_point;
-        std::int32_t neighbour;
-        float x, y;                        ///< the scan point, moved; m
-        float neighbour_x, neighbour_y;    ///< m
-        float normal_x = 0, normal_y = 0;  ///< of the neighbour's line, unit; 0: it is on no line
-        float squared_distance = 0;        ///< m^2
+        float x, y;                        ///< m
+        float normal_x = 0, normal_y = 0;  ///< of its line, unit; 0: it is on no line
     };
 
-    void clear();
-    /// Room for so many pairs, so that add() does not look at it.
-    void reserve(std::size_t pairs);
-    void add(const Pair& pair);
+    /// Room for so many scan points, all alone.
+    void reset(std::size_t scan_points);
 
-    [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] Pair at(std::size_t i) const;
-    [[nodiscard]] std::uint32_t scanPoint(std::size_t i) const { return scan_point_[i]; }
+    /// Moves the scan: as many points as given to reset(). @param pose of the scan.
+    void move(const PointsView& scan, const Pose2& pose);
+    void pair(std::size_t i, const Neighbour& neighbour);
+    void leaveAlone(std::size_t i);
+    /// Takes the distances of the pairs; farther ones do not count. To be called after moves.
+    void measure(double max_distance_m);
+
+    [[nodiscard]] std::size_t scanPoints() const { return size_; }
+    [[nodiscard]] std::size_t pairs() const { return pairs_; }
+    [[nodiscard]] bool isPaired(std::size_t i) const { return squared_distance_[i] <= limit2_; }
+    [[nodiscard]] float squaredDistance(std::size_t i) const { return squared_distance_[i]; }
+    /// The scan points, moved.
+    [[nodiscard]] PointsView points() const { return {x_.data(), y_.data(), size_}; }
+    [[nodiscard]] PairColumns columns() const;
 
     /// Weighs each pair by its distance; with `to_line` that of the pair from its line, where it
     /// is on one. To be called before the sums below.
@@ -74,10 +87,9 @@ class PairTable
  private:
     [[nodiscard]] std::size_t blocks() const;
 
-    std::size_t size_ = 0;
-    std::vector<std::uint32_t> scan_point_;
-    std::vector<std::int32_t> neighbour_;
-    // Filled up to a whole number of lanes with pairs of weight 0.
+    std::size_t size_ = 0, pairs_ = 0;
+    float limit2_ = 0;  ///< m^2
+    // Filled up to a whole number of lanes with points that are alone.
     std::vector<float> x_, y_, neighbour_x_, neighbour_y_, normal_x_, normal_y_, squared_distance_;
     std::vector<float> weight_;
 };

@@ -51,6 +51,11 @@ struct Box
     {
         return x >= min_x && x <= max_x && y >= min_y && y <= max_y;
     }
+    [[nodiscard]] bool contains(const Box& other) const
+    {
+        return other.min_x >= min_x && other.max_x <= max_x && other.min_y >= min_y &&
+               other.max_y <= max_y;
+    }
     [[nodiscard]] Box grown(double by) const
     {
         return {min_x - by, min_y - by, max_x + by, max_y + by};

@@ -9,3 +9,6 @@
 #else
 #define RTOB_SIMD_CLONES
 #endif
+
+/// A part of such a loop: compiled into each of its kinds.
+#define RTOB_INLINE inline __attribute__((always_inline))
