@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/core/simd.h>
 #include <rtob/core/wide_search.h>
 #include <algorithm>
 #include <array>
@@ -9,28 +10,69 @@ namespace rtob
 namespace
 {
 constexpr int kHit = 4, kNear = 2;  // a point on a reference cell, and on a cell beside one
+constexpr double kCell_m = 0.1;
+
+/// Row y of a coarser level, from rows y and y + step of the one below.
+RTOB_SIMD_CLONES void coarser_row(
+    const std::uint8_t* below, const std::uint8_t* below_step, int width, int step,
+    std::uint8_t* row)
+{
+    const auto larger = [](std::uint8_t a, std::uint8_t b) { return a < b ? b : a; };
+    const int inner = std::max(0, width - step);
+    for (int x = 0; x < inner; ++x)
+        row[x] =
+            larger(larger(below[x], below[x + step]), larger(below_step[x], below_step[x + step]));
+    for (int x = inner; x < width; ++x)
+        row[x] = larger(
+            larger(below[x], below[width - 1]), larger(below_step[x], below_step[width - 1]));
 }
 
-/// Level 0 marks the reference's cells; level h holds the maximum over 2^h x 2^h cells from each.
-void WideSearch::drawRaster(const PointsView& reference, double margin_m)
+double range_of(const PointsView& points)
 {
-    const auto [low_x, high_x] = std::minmax_element(reference.x, reference.x + reference.size);
-    const auto [low_y, high_y] = std::minmax_element(reference.y, reference.y + reference.size);
-    min_x_ = *low_x - margin_m;
-    min_y_ = *low_y - margin_m;
-    width_ = static_cast<int>((*high_x + margin_m - min_x_) / kCell_m) + 1;
-    height_ = static_cast<int>((*high_y + margin_m - min_y_) / kCell_m) + 1;
+    double range2 = 1.0;
+    for (std::size_t i = 0; i < points.size; ++i)
+        range2 = std::max<double>(range2, points.x[i] * points.x[i] + points.y[i] * points.y[i]);
+    return std::sqrt(range2);
+}
+
+Box box_of(const PointsView& points)
+{
+    const auto [low_x, high_x] = std::minmax_element(points.x, points.x + points.size);
+    const auto [low_y, high_y] = std::minmax_element(points.y, points.y + points.size);
+    return {*low_x, *low_y, *high_x, *high_y};
+}
+
+/// Where the turned and shifted points can come to lie on the reference, and a cell more.
+Box reachable(
+    const PointsView& points, const PointsView& reference, double range_m,
+    const SearchWindow& window)
+{
+    const double turned_m = range_m * std::min(2.0, window.half_angle_rad);
+    const double shifted_m = window.half_width_m + kCell_m;
+    return box_of(points).grown(turned_m).common(box_of(reference)).grown(shifted_m);
+}
+}  // namespace
+
+/// Level 0 marks the reference's cells; what lies outside cannot be reached.
+void WideSearch::drawRaster(const PointsView& reference, const Box& within)
+{
+    min_x_ = within.min_x;
+    min_y_ = within.min_y;
+    width_ = static_cast<int>((within.max_x - min_x_) / kCell_m) + 1;
+    height_ = static_cast<int>((within.max_y - min_y_) / kCell_m) + 1;
     const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     levels_.resize(kLevels);
     for (auto& level : levels_)
     {
         if (level.capacity() < cells) level.reserve(2 * cells);  // so that it grows seldom
-        level.assign(cells, 0);
+        level.resize(cells);
     }
 
     auto& fine = levels_[0];
+    std::fill(fine.begin(), fine.end(), std::uint8_t{0});
     for (std::size_t i = 0; i < reference.size; ++i)
     {
+        if (!within.contains(reference.x[i], reference.y[i])) continue;
         const int cx = static_cast<int>((reference.x[i] - min_x_) / kCell_m);
         const int cy = static_cast<int>((reference.y[i] - min_y_) / kCell_m);
         for (int dy = -1; dy <= 1; ++dy)
@@ -43,36 +85,47 @@ void WideSearch::drawRaster(const PointsView& reference, double margin_m)
                     cell, static_cast<std::uint8_t>(dx == 0 && dy == 0 ? kHit : kNear));
             }
     }
+    drawCoarser();
+}
+
+/// Level h holds the maximum over 2^h x 2^h cells from each.
+void WideSearch::drawCoarser()
+{
     for (int h = 1; h < kLevels; ++h)
     {
         const int step = 1 << (h - 1);
-        const auto& below = levels_[static_cast<std::size_t>(h - 1)];
-        auto& level = levels_[static_cast<std::size_t>(h)];
         for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x)
-            {
-                const int x2 = std::min(x + step, width_ - 1), y2 = std::min(y + step, height_ - 1);
-                const auto at = [&](int u, int v)
-                { return below[static_cast<std::size_t>(v * width_ + u)]; };
-                level[static_cast<std::size_t>(y * width_ + x)] =
-                    std::max({at(x, y), at(x2, y), at(x, y2), at(x2, y2)});
-            }
+        {
+            const auto row = [&](int level, int at_y)
+            { return levels_[static_cast<std::size_t>(level)].data() + at_y * width_; };
+            coarser_row(
+                row(h - 1, y), row(h - 1, std::min(y + step, height_ - 1)), width_, step,
+                row(h, y));
+        }
     }
 }
 
-int WideSearch::scoreOf(int level, int shift_x, int shift_y) const
+/// @param mark once the score cannot exceed it any more, whatever it can still reach is returned.
+int WideSearch::scoreOf(int level, int shift_x, int shift_y, int mark) const
 {
+    constexpr std::size_t kBetweenLooks = 32;
     const auto& raster = levels_[static_cast<std::size_t>(level)];
     const int reach = 1 << level;
     int score = 0;
-    for (const CellOf& cell : cells_)
+    for (std::size_t begin = 0; begin < cells_.size(); begin += kBetweenLooks)
     {
-        int x = cell.x + shift_x, y = cell.y + shift_y;
-        // A block that begins before the raster may still reach into it.
-        if (x < 0 && x > -reach) x = 0;
-        if (y < 0 && y > -reach) y = 0;
-        if (x < 0 || y < 0 || x >= width_ || y >= height_) continue;
-        score += raster[static_cast<std::size_t>(y * width_ + x)];
+        const int at_most = score + kHit * static_cast<int>(cells_.size() - begin);
+        if (at_most <= mark) return at_most;
+        const std::size_t end = std::min(begin + kBetweenLooks, cells_.size());
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            int x = cells_[i].x + shift_x, y = cells_[i].y + shift_y;
+            // A block that begins before the raster may still reach into it.
+            if (x < 0 && x > -reach) x = 0;
+            if (y < 0 && y > -reach) y = 0;
+            if (x < 0 || y < 0 || x >= width_ || y >= height_) continue;
+            score += raster[static_cast<std::size_t>(y * width_ + x)];
+        }
     }
     return score;
 }
@@ -94,7 +147,7 @@ void WideSearch::branch(int level, const Shift& parent, Shift& best)
             const int x = parent.x + dx, y = parent.y + dy;
             if (x > half_cells_ || y > half_cells_) continue;
             // Kept in order, best first, so that the first branch sets a high mark.
-            const Shift child{x, y, scoreOf(level - 1, x, y)};
+            const Shift child{x, y, scoreOf(level - 1, x, y, best.score)};
             std::size_t place = n++;
             for (; place > 0 && children[place - 1].score < child.score; --place)
                 children[place] = children[place - 1];
@@ -108,17 +161,18 @@ SearchResult WideSearch::search(
 {
     SearchResult result;
     if (points.size == 0 || reference.size == 0) return result;
-    drawRaster(reference, window.half_width_m + kCell_m);
+    const double range_m = range_of(points);
+    const Box within = reachable(points, reference, range_m, window);
+    if (within.min_x > within.max_x || within.min_y > within.max_y) return result;
+    drawRaster(reference, within);
     half_cells_ = static_cast<int>(std::ceil(window.half_width_m / kCell_m));
-
-    double range2 = 1.0;
-    for (std::size_t i = 0; i < points.size; ++i)
-        range2 = std::max<double>(range2, points.x[i] * points.x[i] + points.y[i] * points.y[i]);
     // One cell at the median range is enough: the far points tolerate the rest.
-    const double yaw_step_rad = kCell_m / std::min(10.0, std::sqrt(range2));
+    const double yaw_step_rad = kCell_m / std::min(10.0, range_m);
     const int yaw_steps = static_cast<int>(std::ceil(window.half_angle_rad / yaw_step_rad));
 
-    int best_score = 0;
+    const double most = kHit * static_cast<double>(points.size);
+    int best_score = std::max(0, static_cast<int>(std::ceil(window.min_score * most)) - 1);
+    bool is_found = false;
     for (int k = 0; k <= 2 * yaw_steps; ++k)
     {
         const int yaw_index = (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2);  // 0, -1, 1, -2, 2 ...
@@ -134,15 +188,15 @@ SearchResult WideSearch::search(
         constexpr int kTop = kLevels - 1;
         for (int y = -half_cells_; y <= half_cells_; y += 1 << kTop)
             for (int x = -half_cells_; x <= half_cells_; x += 1 << kTop)
-                branch(kTop, {x, y, scoreOf(kTop, x, y)}, best);
+                branch(kTop, {x, y, scoreOf(kTop, x, y, best.score)}, best);
         if (best.score > best_score)
         {
             best_score = best.score;
+            is_found = true;
             result.correction = {best.x * kCell_m, best.y * kCell_m, yaw};
         }
     }
-    result.score = static_cast<double>(best_score) / static_cast<double>(kHit) /
-                   static_cast<double>(points.size);
+    if (is_found) result.score = best_score / most;
     return result;
 }
 }  // namespace rtob

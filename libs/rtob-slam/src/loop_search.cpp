@@ -111,7 +111,8 @@ std::optional<IcpResult> LoopSearch::find(double path_m, double drift_m)
 {
     const SearchWindow window{
         std::min(options_.max_half_width_m, kLeastHalfWidth_m + drift_m),
-        std::min(kMostHalfAngle_rad, kLeastHalfAngle_rad + kTurnPerMetre_rad * path_m)};
+        std::min(kMostHalfAngle_rad, kLeastHalfAngle_rad + kTurnPerMetre_rad * path_m),
+        options_.min_score};
     const SearchResult found = search_.search(local_.points.view(), old_.points.view(), window);
     if (found.score < options_.min_score) return std::nullopt;
 

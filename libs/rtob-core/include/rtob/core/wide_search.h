@@ -12,6 +12,7 @@ struct SearchWindow
 {
     double half_width_m = 2.0;
     double half_angle_rad = 0.2;
+    double min_score = 0;  ///< what scores less is not told from nothing: the more, the faster
 };
 
 struct SearchResult
@@ -32,7 +33,6 @@ class WideSearch
         const PointsView& points, const PointsView& reference, const SearchWindow& window);
 
  private:
-    static constexpr double kCell_m = 0.1;
     static constexpr int kLevels = 6;  // the coarsest cell looks 32 fine cells ahead
 
     struct Shift
@@ -43,8 +43,9 @@ class WideSearch
     {
         int x, y;
     };
-    void drawRaster(const PointsView& reference, double margin_m);
-    [[nodiscard]] int scoreOf(int level, int shift_x, int shift_y) const;
+    void drawRaster(const PointsView& reference, const Box& within);
+    void drawCoarser();
+    [[nodiscard]] int scoreOf(int level, int shift_x, int shift_y, int mark) const;
     void branch(int level, const Shift& parent, Shift& best);
 
     int width_ = 0, height_ = 0;
