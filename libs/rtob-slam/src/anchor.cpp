@@ -37,12 +37,13 @@ IcpOptions with_pair_distance(IcpOptions options, double max_pair_distance_m)
 
 Anchor::Anchor(
     const AnchorOptions& options, const IcpOptions& icp, const DensityOptions& density,
-    const DrawOptions& draw, std::uint64_t seed)
+    const DrawOptions& draw, const ReferenceOptions& reference, std::uint64_t seed)
     : options_(options),
       icp_(icp),
       wide_icp_(with_pair_distance(icp, options.max_pair_distance_m)),
       density_(density),
       draw_(draw),
+      old_(reference),
       random_(seed)
 {
     options_.validate();
@@ -54,20 +55,25 @@ std::optional<IcpResult> Anchor::align(
 {
     const std::size_t old_end = travel.scansBefore(options_.min_path_m);
     if (!options_.enabled || old_end == 0) return std::nullopt;
-    const Box gate = turn_points(pose_map_vehicle, points_vehicle.view(), points_turned_)
-                         .grown(options_.max_pair_distance_m);
-    draw_.draw(
-        map, density_, {time_s, pose_map_vehicle.x, pose_map_vehicle.y, 0, old_end}, gate, random_,
-        reference_);
-    if (reference_.indices.size() < static_cast<std::size_t>(options_.min_points))
-        return std::nullopt;
+    const Box needed_map = turn_points(pose_map_vehicle, points_vehicle.view(), points_turned_)
+                               .grown(options_.max_pair_distance_m);
+    if (!old_.serves(time_s, pose_map_vehicle, needed_map))
+        old_.renew(
+            icp_, time_s, pose_map_vehicle, needed_map,
+            [&](const Box& box_map, Reference& reference)
+            {
+                draw_.draw(
+                    map, density_, {time_s, pose_map_vehicle.x, pose_map_vehicle.y, 0, old_end},
+                    box_map, random_, reference);
+            });
+    if (old_.size() < static_cast<std::size_t>(options_.min_points)) return std::nullopt;
     // Near first: the far reach of the second try would blur a guess that is good already.
     const double drift_m = drift.expected_m(travel);
-    IcpResult old_fit = icp_.align(points_turned_.view(), reference_.points.view());
+    IcpResult old_fit = old_.align(icp_, points_turned_.view(), pose_map_vehicle);
     if (!explains(old_fit, fit, drift_m, false))
     {
         if (drift_m < options_.small_step_m) return std::nullopt;
-        old_fit = wide_icp_.align(points_turned_.view(), reference_.points.view());
+        old_fit = old_.align(wide_icp_, points_turned_.view(), pose_map_vehicle);
         if (!explains(old_fit, fit, drift_m, true)) return std::nullopt;
     }
     return old_fit;

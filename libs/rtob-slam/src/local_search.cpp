@@ -4,6 +4,8 @@
 #include <rtob/core/option_checks.h>
 #include <rtob/slam/local_search.h>
 
+#include <algorithm>
+
 namespace rtob
 {
 void SearchOptions::validate() const
@@ -26,7 +28,8 @@ LocalSearch::LocalSearch(const SearchOptions& options) : options_(options)
 }
 
 Pose2 LocalSearch::search(
-    const Pose2& pose_map_guess, const Points& points_turned, const Reference& reference, bool lost)
+    const Pose2& pose_map_guess, const Points& points_turned, const Reference& reference, bool lost,
+    double max_half_width_m)
 {
     const auto wanted = static_cast<std::size_t>(options_.points);
     const std::size_t stride = (points_turned.size() + wanted - 1) / wanted;
@@ -34,7 +37,7 @@ Pose2 LocalSearch::search(
     for (std::size_t i = 0; i < points_turned.size(); i += stride)
         thinned_.add(points_turned.x[i], points_turned.y[i]);
     const SearchWindow window{
-        lost ? options_.lost_half_width_m : options_.half_width_m,
+        std::min(max_half_width_m, lost ? options_.lost_half_width_m : options_.half_width_m),
         mrpt::DEG2RAD(lost ? options_.lost_half_angle_deg : options_.half_angle_deg)};
     const SearchResult found = search_.search(thinned_.view(), reference.points.view(), window);
     return apply_correction(pose_map_guess, found.correction);

@@ -1,37 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "step_timer.h"
+
 #include <mrpt/obs/CObservationOdometry.h>
 #include <rtob/map/conversions.h>
 #include <rtob/slam/slam.h>
-#include <rtob/slam/turned_points.h>
 
-#include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace rtob
 {
 namespace
 {
-/// Adds the time until it goes out of scope.
-class StepTimer
-{
- public:
-    explicit StepTimer(double& sum_s) : sum_s_(sum_s), begin_(Clock::now()) {}
-    ~StepTimer() { sum_s_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
-    StepTimer(const StepTimer&) = delete;
-    StepTimer& operator=(const StepTimer&) = delete;
-
- private:
-    using Clock = std::chrono::steady_clock;
-    double& sum_s_;
-    Clock::time_point begin_;
-};
-
 // A map that fewer scans have met may start anew with a richer scan that does not fit it.
 constexpr std::size_t kYoungMap_scans = 3;
-
-// Of what a match leaves unexplained, a search may leave this share to take its place.
-constexpr double kUnexplainedLeftWithOdometry = 1.0 / 3;
 
 // What a scan without a match adds to the uncertainty of the pose, one sigma.
 constexpr double kBlindStep_m = 0.05, kBlindTurn_rad = 0.02;
@@ -76,9 +57,12 @@ Slam::Slam(const SlamOptions& options)
       tracking_(options.tracking),
       insertion_(options.insertion),
       drift_(options.drift),
-      anchor_(options.anchor, options.icp, options.density, options.draw, options.seed),
+      anchor_(
+          options.anchor, options.icp, options.density, options.draw, options.reference,
+          options.seed),
       loop_search_(options.loop_search, options.icp, options.seed),
-      search_(options.search)
+      search_(options.search),
+      local_(options.reference)
 {
 }
 
@@ -142,88 +126,6 @@ Pose2 Slam::prealign()
     return prealignment_.predict(report_.stamp_s);
 }
 
-Slam::Match Slam::matchAround(const Pose2& pose_map_init)
-{
-    Box seen;
-    {
-        const StepTimer timer(report_.times.draw_s);
-        seen = turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
-        map_.draw(
-            pose_map_init, seen.grown(options_.icp.max_pair_distance_m), trustedBegin(),
-            reference_);
-    }
-    const StepTimer timer(report_.times.align_s);
-    Match match;
-    match.fit = icp_.align(points_turned_.view(), reference_.points.view());
-    match.pose_map_vehicle = apply_correction(pose_map_init, match.fit.correction);
-    match.verdict = judge_fit(match.fit, options_.fit_gate);
-    return match;
-}
-
-/// Old scans from which the newest may have drifted apart would mislead.
-std::size_t Slam::trustedBegin() const
-{
-    return options_.remembers() && !tracking_.isLost() ? drift_.trustedBegin(travel_) : 0;
-}
-
-/// Whether ICP from the guess alone is to be trusted.
-bool Slam::isDoubtful(const Match& match) const
-{
-    // Where the map knows the place, most of a scan finds a neighbour, or the guess was bad.
-    const bool explains_little = match.fit.known_share < options_.search.min_paired_share;
-    return search_.enabled() && (match.verdict == FitVerdict::Weak || explains_little ||
-                                 match.verdict == FitVerdict::None || tracking_.isLost());
-}
-
-void Slam::searchAround(const Pose2& pose_map_init, Match& match)
-{
-    report_.searched = true;
-    Pose2 pose_map_found;
-    {
-        const StepTimer timer(report_.times.search_s);
-        turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
-        map_.draw(pose_map_init, std::nullopt, trustedBegin(), reference_);
-        pose_map_found =
-            search_.search(pose_map_init, points_turned_, reference_, tracking_.isLost());
-    }
-    Match found = matchAround(pose_map_found);
-    // New ground fits badly, too: a match from odometry is given up for a far better one only.
-    const double left =
-        hasOdometry() && is_match(match.verdict) ? kUnexplainedLeftWithOdometry : 1.0;
-    const double enough =
-        std::max(options_.search.min_paired_share, 1 - left * (1 - match.fit.paired_share));
-    if (found.verdict != FitVerdict::Good || found.fit.paired_share < enough) return;
-    match = found;
-    match.is_found = true;
-}
-
-/// Beyond the paper: in places seen before, the old scans decide.
-void Slam::anchor(Match& match)
-{
-    const StepTimer timer(report_.times.anchor_s);
-    const auto old_fit = anchor_.align(
-        map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle, match.fit,
-        points_vehicle_);
-    if (!old_fit) return;
-    report_.anchored = true;
-    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);
-    match.fit = *old_fit;
-    drift_.held(travel_, *old_fit);
-}
-
-/// Beyond the paper: after a long loop, the place is looked for.
-void Slam::closeLoop(Match& match)
-{
-    const StepTimer timer(report_.times.search_s);
-    const auto found = loop_search_.search(
-        map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle,
-        travel_.scansBefore(options_.anchor.min_path_m));
-    if (!found) return;
-    report_.closed_loop = true;
-    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, found->correction);
-    drift_.held(travel_, *found);
-}
-
 /// Whether the scan is to join the map, if nothing speaks against it.
 bool Slam::wantsToWrite(const Match& match, const std::string& laser) const
 {
@@ -240,6 +142,7 @@ bool Slam::isFalseStart(const Match& match) const
 const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& laser)
 {
     map_.clear();
+    local_.drop();
     scans_of_map_ = 1;
     insertion_.clear();
     travel_ = TravelLog();
@@ -271,7 +174,10 @@ void Slam::report(const Match& match, TrackingState state)
     report_.pose_map_vehicle =
         matched ? match.pose_map_vehicle : prealignment_.predict(report_.stamp_s);
     if (matched)
+    {
         report_.covariance = match.fit.covariance;
+        matched_at_ = match.pose_map_vehicle;
+    }
     else
         report_.covariance.diagonal() += Eigen::Vector3d(
             kBlindStep_m * kBlindStep_m, kBlindStep_m * kBlindStep_m,
@@ -316,6 +222,8 @@ void Slam::continueIn(const RtobMap& map, const Pose2& pose_map_vehicle)
 void Slam::reset(const Pose2& pose_map_vehicle)
 {
     prealignment_.reset(pose_map_vehicle);
+    matched_at_ = pose_map_vehicle;
+    local_.drop();
     report_.pose_map_vehicle = pose_map_vehicle;
 }
 }  // namespace rtob

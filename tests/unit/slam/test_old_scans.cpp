@@ -86,7 +86,7 @@ void expect_truth(const Loop& loop, const std::optional<IcpResult>& fit)
 
 Anchor anchor_with(const AnchorOptions& options = {})
 {
-    return Anchor(options, IcpOptions(), DensityOptions(), DrawOptions(), 1);
+    return Anchor(options, IcpOptions(), DensityOptions(), DrawOptions(), ReferenceOptions(), 1);
 }
 }  // namespace
 

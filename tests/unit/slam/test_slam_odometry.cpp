@@ -110,6 +110,32 @@ TEST(SlamOdometry, MaySlipSomeScansLong)
     }
 }
 
+TEST(SlamOdometry, BoundsHowFarASearchMayMoveTheVehicle)
+{
+    // A scan that fits the map well, 1.7 m from where the wheels can have brought the vehicle: it is
+    // believed where nothing else is known, and not against the odometry.
+    for (const bool with_odometry : {false, true})
+    {
+        Slam slam;
+        for (int k = 0; k < 20; ++k)
+        {
+            if (with_odometry) slam.observe(*test::odometry_on_circle(k));
+            ASSERT_EQ(slam.process(*test::scan_on_circle(k)).state, TrackingState::Tracking) << k;
+        }
+        if (with_odometry) slam.observe(*test::odometry_on_circle(19));
+        Pose2 elsewhere = test::pose_on_circle(19);
+        elsewhere.x += 1.7;
+        const auto scan = test::scan_observation(
+            test::room_4x3(), elsewhere, test::drive_start_s + 2.0, test::mrpt_laser());
+        slam.process(scan);
+        const Pose2 jump = between(test::pose_on_circle_map(19), slam.pose());
+        if (with_odometry)
+            EXPECT_LT(std::hypot(jump.x, jump.y), 1.0);
+        else
+            EXPECT_NEAR(std::hypot(jump.x, jump.y), 1.7, 0.05);
+    }
+}
+
 TEST(SlamOdometry, ThatIsNoNumberDoesNoHarm)
 {
     mrpt::obs::CObservationOdometry broken;

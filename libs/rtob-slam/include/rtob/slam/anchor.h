@@ -6,6 +6,7 @@
 #include <rtob/core/reference_draw.h>
 #include <rtob/core/time_density.h>
 #include <rtob/slam/drift.h>
+#include <rtob/slam/local_reference.h>
 #include <rtob/slam/travel_log.h>
 
 #include <optional>
@@ -57,7 +58,7 @@ class Anchor
  public:
     Anchor(
         const AnchorOptions& options, const IcpOptions& icp, const DensityOptions& density,
-        const DrawOptions& draw, std::uint64_t seed);
+        const DrawOptions& draw, const ReferenceOptions& reference, std::uint64_t seed);
 
     /// @param fit of the scan against all scans, at `pose_map_vehicle`.
     /// @return the fit against old scans, its correction relative to `pose_map_vehicle`, or nothing
@@ -74,8 +75,8 @@ class Anchor
     Icp icp_, wide_icp_;
     TimeDensity density_;
     ReferenceDraw draw_;
+    LocalReference old_;  ///< of scans from before the loop
     Random random_;
     Points points_turned_;
-    Reference reference_;
 };
 }  // namespace rtob

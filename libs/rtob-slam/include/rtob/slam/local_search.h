@@ -41,10 +41,11 @@ class LocalSearch
     explicit LocalSearch(const SearchOptions& options = {});
 
     /// @param points_turned the scan with map axes, seen from the guess.
+    /// @param max_half_width_m how far off the guess may be at most, infinite where unknown.
     /// @return a better guess.
     [[nodiscard]] Pose2 search(
         const Pose2& pose_map_guess, const Points& points_turned, const Reference& reference,
-        bool lost);
+        bool lost, double max_half_width_m);
 
     [[nodiscard]] bool enabled() const { return options_.enabled; }
 

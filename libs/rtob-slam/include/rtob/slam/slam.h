@@ -5,6 +5,7 @@
 #include <rtob/map/rtob_map.h>
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/drift.h>
+#include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
 #include <rtob/slam/scan_report.h>
@@ -59,8 +60,11 @@ class Slam
     void filter(const mrpt::obs::CObservation2DRangeScan& scan);
     [[nodiscard]] Pose2 prealign();
     [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
+    [[nodiscard]] Match alignAround(const Pose2& pose_map_init);
+    void drawAround(const Pose2& pose_map_init, const Box& needed_map);
     [[nodiscard]] std::size_t trustedBegin() const;
     [[nodiscard]] bool isDoubtful(const Match& match) const;
+    [[nodiscard]] double mostMisled_m(const Pose2& pose_map_init) const;
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
     void anchor(Match& match);
@@ -85,10 +89,12 @@ class Slam
     LoopSearch loop_search_;
     LocalSearch search_;
 
+    Pose2 matched_at_;              ///< in map; where a scan last fitted
     std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not
     Points points_vehicle_;         ///< of the scan in work
     Points points_turned_;          ///< the same, with map axes, seen from the vehicle
-    Reference reference_;
+    LocalReference local_;          ///< what scans are matched against
+    Reference reference_;           ///< what a search looks through
     ScanReport report_;
 };
 }  // namespace rtob

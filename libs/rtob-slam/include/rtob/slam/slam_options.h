@@ -6,6 +6,7 @@
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/fit_gate.h>
 #include <rtob/slam/insertion_policy.h>
+#include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
 #include <rtob/slam/prealignment.h>
@@ -24,6 +25,7 @@ struct SlamOptions
     PrealignOptions prealign;
     DensityOptions density;
     DrawOptions draw;
+    ReferenceOptions reference;
     IcpOptions icp;
     FitGateOptions fit_gate;
     SearchOptions search;
@@ -44,6 +46,7 @@ struct SlamOptions
         visit("Prealign", s.prealign);
         visit("Density", s.density);
         visit("Draw", s.draw);
+        visit("Reference", s.reference);
         visit("Icp", s.icp);
         visit("FitGate", s.fit_gate);
         visit("Search", s.search);

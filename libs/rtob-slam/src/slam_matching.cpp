@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a scan belongs in the map: steps 3 to 6 of process(), and what goes beyond the paper.
+#include "step_timer.h"
+
+#include <rtob/slam/slam.h>
+#include <rtob/slam/turned_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rtob
+{
+namespace
+{
+// Of what a match leaves unexplained, a search may leave this share to take its place.
+constexpr double kUnexplainedLeftWithOdometry = 1.0 / 3;
+
+// How far odometry may mislead from one match to the next: by slip, and by a share of the way.
+constexpr double kSlip_m = 0.3, kSlipShare = 1.0;
+}  // namespace
+
+Slam::Match Slam::matchAround(const Pose2& pose_map_init)
+{
+    const Box needed_map = turn_points(pose_map_init, points_vehicle_.view(), points_turned_)
+                               .grown(options_.icp.max_pair_distance_m);
+    const bool is_reused = local_.serves(report_.map_time_s, pose_map_init, needed_map);
+    if (!is_reused) drawAround(pose_map_init, needed_map);
+    Match match = alignAround(pose_map_init);
+    if (!is_reused || !local_.isWorse(match.fit)) return match;
+    drawAround(pose_map_init, needed_map);
+    return alignAround(pose_map_init);
+}
+
+void Slam::drawAround(const Pose2& pose_map_init, const Box& needed_map)
+{
+    const StepTimer timer(report_.times.draw_s);
+    local_.renew(
+        icp_, report_.map_time_s, pose_map_init, needed_map,
+        [&](const Box& box_map, Reference& reference)
+        { map_.draw(pose_map_init, box_map, trustedBegin(), reference); });
+}
+
+Slam::Match Slam::alignAround(const Pose2& pose_map_init)
+{
+    const StepTimer timer(report_.times.align_s);
+    Match match;
+    match.fit = local_.align(icp_, points_turned_.view(), pose_map_init);
+    match.pose_map_vehicle = apply_correction(pose_map_init, match.fit.correction);
+    match.verdict = judge_fit(match.fit, options_.fit_gate);
+    return match;
+}
+
+/// Old scans from which the newest may have drifted apart would mislead.
+std::size_t Slam::trustedBegin() const
+{
+    return options_.remembers() && !tracking_.isLost() ? drift_.trustedBegin(travel_) : 0;
+}
+
+/// Whether ICP from the guess alone is to be trusted.
+bool Slam::isDoubtful(const Match& match) const
+{
+    // Where the map knows the place, most of a scan finds a neighbour, or the guess was bad.
+    const bool explains_little = match.fit.known_share < options_.search.min_paired_share;
+    return search_.enabled() && (match.verdict == FitVerdict::Weak || explains_little ||
+                                 match.verdict == FitVerdict::None || tracking_.isLost());
+}
+
+/// How far from the guess the vehicle may be.
+double Slam::mostMisled_m(const Pose2& pose_map_init) const
+{
+    if (!hasOdometry() || tracking_.isLost()) return std::numeric_limits<double>::infinity();
+    const double way_m =
+        std::hypot(pose_map_init.x - matched_at_.x, pose_map_init.y - matched_at_.y);
+    return kSlip_m + kSlipShare * way_m;
+}
+
+void Slam::searchAround(const Pose2& pose_map_init, Match& match)
+{
+    report_.searched = true;
+    Pose2 pose_map_found;
+    {
+        const StepTimer timer(report_.times.search_s);
+        turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
+        map_.draw(pose_map_init, std::nullopt, trustedBegin(), reference_);
+        pose_map_found = search_.search(
+            pose_map_init, points_turned_, reference_, tracking_.isLost(),
+            mostMisled_m(pose_map_init));
+    }
+    local_.drop();
+    Match found = matchAround(pose_map_found);
+    // New ground fits badly, too: a match from odometry is given up for a far better one only.
+    const double left =
+        hasOdometry() && is_match(match.verdict) ? kUnexplainedLeftWithOdometry : 1.0;
+    const double enough =
+        std::max(options_.search.min_paired_share, 1 - left * (1 - match.fit.paired_share));
+    if (found.verdict != FitVerdict::Good || found.fit.paired_share < enough) return;
+    match = found;
+    match.is_found = true;
+}
+
+/// Beyond the paper: in places seen before, the old scans decide.
+void Slam::anchor(Match& match)
+{
+    const StepTimer timer(report_.times.anchor_s);
+    const auto old_fit = anchor_.align(
+        map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle, match.fit,
+        points_vehicle_);
+    if (!old_fit) return;
+    report_.anchored = true;
+    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);
+    match.fit = *old_fit;
+    drift_.held(travel_, *old_fit);
+}
+
+/// Beyond the paper: after a long loop, the place is looked for.
+void Slam::closeLoop(Match& match)
+{
+    const StepTimer timer(report_.times.search_s);
+    const auto found = loop_search_.search(
+        map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle,
+        travel_.scansBefore(options_.anchor.min_path_m));
+    if (!found) return;
+    report_.closed_loop = true;
+    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, found->correction);
+    drift_.held(travel_, *found);
+}
+}  // namespace rtob
