@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/core/large_pages.h>
 #include <test_map.h>
 #include <worlds.h>
 
@@ -36,6 +37,8 @@ inline test::TestMap make_standing_map(std::uint64_t points)
     { return v + 0.03f * static_cast<float>(random.uniform() - 0.5); };
     test::TestMap map;
     map.points_map.reserve(points + 360);
+    for (const auto* column : {&map.points_map.x, &map.points_map.y})
+        prefer_large_pages(column->data(), column->capacity() * sizeof(float));
     map.scans.reserve(points / 360 + 1, points + 360);
     for (std::size_t k = 0; map.points_map.size() < points; ++k)
     {

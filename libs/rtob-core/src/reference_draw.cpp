@@ -9,11 +9,12 @@ namespace rtob
 {
 namespace
 {
-constexpr std::size_t kUnits = 512;    // strata of time in which p(t) is looked at once
-constexpr int kMaxRounds = 4;          // a gate may throw points away: try again this often
-constexpr double kMinShare = 0.1;      // of the tries that a gate is expected to let through
-constexpr std::size_t kSpare = 16;     // more than the gate's share asks for: saves a last round
-constexpr std::size_t kMaxTries = 16;  // a point, independent draws
+constexpr std::size_t kUnits = 512;     // strata of time in which p(t) is looked at once
+constexpr std::size_t kLooksAhead = 4;  // strata whose scans memory is asked for early
+constexpr int kMaxRounds = 4;           // a gate may throw points away: try again this often
+constexpr double kMinShare = 0.1;       // of the tries that a gate is expected to let through
+constexpr std::size_t kSpare = 16;      // more than the gate's share asks for: saves a last round
+constexpr std::size_t kMaxTries = 16;   // a point, independent draws
 constexpr std::size_t kPrefetchAhead = 32;  // picks; they may lie anywhere in a large map
 
 inline void prefetch_pick(
@@ -36,6 +37,7 @@ ReferenceDraw::ReferenceDraw(const DrawOptions& options) : options_(options)
     const auto n = static_cast<std::size_t>(options_.points);
     support_.stretches.reserve(4 * TimeDensity::kMaxVisits);
     envelope_before_.reserve(4 * TimeDensity::kMaxVisits + 1);
+    looks_.reserve(kUnits);
     units_.reserve(kUnits);
     picked_.reserve(kMaxRounds * n);
 }
@@ -172,35 +174,50 @@ void ReferenceDraw::makeUnits(
     units_weight_ = 0;
     if (density.isFlat()) return makeFlatUnits(map.scans);
     const double stratum = envelope_before_.back() / static_cast<double>(kUnits);
-    std::size_t s = 0;
+    chooseLooks(map.scans, stratum, random);
     // Strata side by side often look at the same scan.
     std::size_t weighed_scan = std::numeric_limits<std::size_t>::max();
     double weight = 0;
     for (std::size_t unit = 0; unit < kUnits; ++unit)
     {
-        const double begin = stratum * static_cast<double>(unit);
-        const double place = begin + stratum * random.uniform();
-        while (s + 1 < support_.stretches.size() && envelope_before_[s + 1] <= place) ++s;
-        const std::size_t scan = map.scans.scanOf(pointAt(map.scans, s, place));
-
-        const Stretch& stretch = support_.stretches[s];
+        if (unit + kLooksAhead < kUnits) map.scans.expectAround(looks_[unit + kLooksAhead].scan);
+        const Look& look = looks_[unit];
+        const Stretch& stretch = support_.stretches[look.stretch];
         const auto to_points = [&](double where)
         {
             return static_cast<double>(map.scans.firstPoint(stretch.scans.first)) +
-                   (where - envelope_before_[s]) / stretch.bound;
+                   (where - envelope_before_[look.stretch]) / stretch.bound;
         };
+        const double begin = stratum * static_cast<double>(unit);
         units_.push_back(
-            {std::max(to_points(begin), static_cast<double>(map.scans.firstPoint(scan))),
+            {std::max(to_points(begin), static_cast<double>(map.scans.firstPoint(look.scan))),
              std::min(
-                 to_points(begin + stratum), static_cast<double>(map.scans.firstPoint(scan + 1))),
+                 to_points(begin + stratum),
+                 static_cast<double>(map.scans.firstPoint(look.scan + 1))),
              units_weight_});
-        if (scan != weighed_scan)
+        if (look.scan != weighed_scan)
         {
-            weight = density.weight(map.scans, now, support_, scan);
-            weighed_scan = scan;
+            weight = density.weight(map.scans, now, support_, look.scan);
+            weighed_scan = look.scan;
         }
         units_weight_ += weight / stretch.bound;
     }
+}
+
+/// In two rounds, so that memory, far apart in a large map, is asked for all places at once.
+void ReferenceDraw::chooseLooks(const ScanTable& scans, double stratum, Random& random)
+{
+    looks_.clear();
+    std::size_t s = 0;
+    for (std::size_t unit = 0; unit < kUnits; ++unit)
+    {
+        const double place = stratum * (static_cast<double>(unit) + random.uniform());
+        while (s + 1 < support_.stretches.size() && envelope_before_[s + 1] <= place) ++s;
+        const std::uint64_t point = pointAt(scans, s, place);
+        scans.expectScanOf(point);
+        looks_.push_back({s, point, 0});
+    }
+    for (Look& look : looks_) look.scan = scans.scanOf(look.point);
 }
 
 /// One unit a stretch: nothing need be looked at where p(t) is the same everywhere.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/core/large_pages.h>
 #include <rtob/core/scan_table.h>
 #include <algorithm>
 #include <limits>
@@ -35,7 +36,11 @@ void ScanTable::clear()
 
 void ScanTable::reserve(std::size_t scans, std::size_t points)
 {
-    for (auto* v : {&time_s_, &x_, &y_, &yaw_}) v->reserve(scans);
+    for (auto* v : {&time_s_, &x_, &y_, &yaw_})
+    {
+        v->reserve(scans);
+        prefer_large_pages(v->data(), v->capacity() * sizeof(double));
+    }
     first_point_.reserve(scans + 1);
     scan_of_page_.reserve((points >> kPageBits) + 1);
 }

@@ -4,6 +4,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/datetime.h>
 #include <rtob/core/enum_names.h>
+#include <rtob/core/large_pages.h>
 #include <rtob/map/conversions.h>
 #include <rtob/map/rtob_map.h>
 
@@ -104,6 +105,8 @@ void RtobMap::reserveFor(std::size_t more_points)
     const std::size_t points_wanted =
         points <= m_x.capacity() ? m_x.capacity() : std::max({points, 2 * size(), kPointBlock});
     reserve(points_wanted);
+    for (const auto* column : {&m_x, &m_y})
+        prefer_large_pages(column->data(), column->capacity() * sizeof(float));
     if (scans().size() >= state_.scans_reserved)
         state_.scans_reserved = std::max(2 * scans().size(), kScanBlock);
     state_.scans.reserve(state_.scans_reserved, points_wanted);

@@ -81,6 +81,14 @@ class ReferenceDraw
         double weight_before;  ///< of all units before this one
     };
 
+    /// Where in the envelope a stratum is looked at.
+    struct Look
+    {
+        std::size_t stretch;
+        std::uint64_t point;
+        std::size_t scan;
+    };
+
     void layOutSupport(const ScanTable& scans);
     void takeAll(const MapView& map, const TimeDensity& density, const Moment& now);
     void dropOutside(const Box& gate, const PointsView& points_map);
@@ -91,6 +99,7 @@ class ReferenceDraw
         Random& random);
     void makeUnits(
         const MapView& map, const TimeDensity& density, const Moment& now, Random& random);
+    void chooseLooks(const ScanTable& scans, double stratum, Random& random);
     void makeFlatUnits(const ScanTable& scans);
     void pickStratified(std::size_t count, Random& random);
     void gather(const PointsView& points_map, Reference& reference) const;
@@ -99,6 +108,7 @@ class ReferenceDraw
     Support support_;
     std::vector<double> envelope_before_;  ///< points x bound of all stretches before; one more
     std::uint64_t support_points_ = 0;
+    std::vector<Look> looks_;
     std::vector<Unit> units_;
     double units_weight_ = 0;
     std::vector<std::uint64_t> picked_;

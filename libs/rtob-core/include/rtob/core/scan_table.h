@@ -45,6 +45,22 @@ class ScanTable
         return scan;
     }
 
+    /// Say early what will be looked at, so that memory brings it while something else is done:
+    /// scanOf() of a point, and a scan with those around it.
+    void expectScanOf(std::uint64_t point) const
+    {
+        __builtin_prefetch(scan_of_page_.data() + (point >> kPageBits));
+    }
+    void expectAround(std::size_t scan) const
+    {
+        constexpr std::size_t kBefore = 40, kLine = 8;  // scans; one memory line holds 8
+        const std::size_t first = scan > kBefore ? scan - kBefore : 0;
+        for (const auto* column : {&time_s_, &x_, &y_})
+            for (std::size_t k = first; k < first + 2 * kBefore; k += 2 * kLine)
+                __builtin_prefetch(column->data() + k);
+        __builtin_prefetch(first_point_.data() + scan);
+    }
+
     /// The first scan at or after this time; size() when there is none.
     [[nodiscard]] std::size_t firstScanSince(double time_s) const;
 
