@@ -6,6 +6,7 @@ DENSITIES = ["uniform", "window", "forgetting", "revisit"]
 MRPT = ["mrpt-stock", "mrpt-dense"]
 CHANGE_S = 60  # share/worlds/cupboard.yaml
 SETTLED_CM = 1.0
+FORGETTING_S = 20
 MEAN_OVER_S = 2.0
 
 
@@ -46,11 +47,11 @@ def experiment(options):
     for seed in range(1, options.seeds + 1):
         log, truth = simulate(WORLDS / "cupboard.yaml", seed, folder)
         for density in DENSITIES:
-            results = run(log, seed, folder / f"{density}-{seed}", *density_flags(density))
+            results = run(log, seed, folder / f"{density}-{seed}", *density_flags(density, FORGETTING_S))
             curves[density].append(bias(results, truth))
             results = run(
                 log, seed, folder / f"paper-{density}-{seed}", "-c", "config/paper.ini",
-                *density_flags(density))
+                *density_flags(density, FORGETTING_S))
             curves["paper " + density].append(bias(results, truth))
         if seed > 1:
             continue  # MRPT's has no seeds; its log does

@@ -8,6 +8,7 @@ from experiment_runs import OUT, density_flags, run, simulate, table, text
 LENGTHS_M = [40, 100, 200, 400]
 DENSITIES = ["revisit", "uniform", "window", "forgetting"]
 CORRIDOR_M = 2.4  # wide
+FORGETTING_S = 60
 
 
 def ring(half_x, half_y, inset):
@@ -35,18 +36,18 @@ def pillars(half_x, half_y, rng):
 
 
 def world(length_m):
-    """A rectangular corridor whose middle line is this long; once round, and a quarter more."""
+    """A rectangular corridor whose middle line is this long; once round, and the first side again."""
     half_x, half_y = 0.15 * length_m + CORRIDOR_M / 2, 0.1 * length_m + CORRIDOR_M / 2
     middle = ring(half_x, half_y, CORRIDOR_M / 2)
-    start = [0.0, middle[0][1]]
-    route = [middle[1], middle[2], middle[3], middle[0], start, middle[1]]
+    # From a corner: what lies across the way holds the first metres (docs/experiments.md).
+    route = [*middle[1:], *middle[:2]]
     lines = [
         f"# A corridor that leads round a block, {length_m} m a round.",
         f"name: loop of {length_m} m",
         "vehicle: {turbulence_mps2: 0.1, radius_m: 0.3}",
-        f"start: {{at: {start}, altitude_m: 1}}",
+        f"start: {{at: {middle[0]}, altitude_m: 1}}",
         "flight:",
-        f"  duration_s: {1.25 * length_m / 0.8 + 5:.0f}",
+        f"  duration_s: {1.3 * length_m / 0.8 + 5:.0f}",
         "  speed_mps: 0.8",
         "  repeat: false",
         "  route:",
@@ -77,7 +78,7 @@ def experiment(options):
             log, truth = simulate(file, seed, folder)
             for density in DENSITIES:
                 results = run(log, seed, folder / f"{length_m}-{density}-{seed}",
-                              *density_flags(density))
+                              *density_flags(density, FORGETTING_S))
                 worst[density] = max(worst[density], closing_error_cm(results, truth))
         rows.append([f"{length_m} m", *(text(worst[density]) for density in DENSITIES)])
     yield f"Worst of {options.seeds} seeds: error of the revisited places, cm."

@@ -38,10 +38,9 @@ def run(log, seed, folder, *flags):
     return folder
 
 
-def density_flags(density):
-    """Forgetting alone needs a time: a minute."""
+def density_flags(density, forgetting_s):
     return ["--density", density] + (
-        ["--set", "Density.forgetting_s=60"] if density == "forgetting" else [])
+        ["--set", f"Density.forgetting_s={forgetting_s}"] if density == "forgetting" else [])
 
 
 def figures(results, truth):

@@ -2,6 +2,7 @@
 #include "simulate/simulate_job.h"
 
 #include <rtob/io/rawlog_writer.h>
+#include <rtob/io/scan_timing.h>
 #include <rtob/io/tum.h>
 
 #include <algorithm>
@@ -62,6 +63,16 @@ void write_readings(const sim::SensorReadings& readings, RawlogWriter& log)
     for (const auto& observation : observations) log.write({observation, nullptr});
 }
 
+/// Where the stamp is the first beam's, a record before the scan tells how long the sweep took: all
+/// that deskewing needs.
+void write_scan(const sim::LaserScan& scan, const sim::LaserOptions& laser, RawlogWriter& log)
+{
+    const auto observation = observation_of(scan, laser);
+    if (laser.stamp_at == 0)
+        log.write({timing_record(*observation, {laser.beams * laser.beam_interval_s()}), nullptr});
+    log.write({observation, nullptr});
+}
+
 /// What the flight was like, for the text.
 void watch(const sim::Simulation& simulation, const Pose2& before, SimulatedLog& result)
 {
@@ -106,7 +117,7 @@ SimulatedLog simulate(const SimulateJob& job, const std::function<void(double)>&
         if (!scan) continue;
         const auto readings = simulation.takeReadings();
         if (!job.laser_only) write_readings(readings, log);
-        log.write({observation_of(*scan, world.simulation.laser), nullptr});
+        write_scan(*scan, world.simulation.laser, log);
         truth.push_back({kSimulationEpoch_s + scan->time_s, scan->pose_map_vehicle.from_above()});
         ++result.scans;
         if (progress) progress(static_cast<double>(step) / static_cast<double>(steps));

@@ -97,17 +97,18 @@ Placed read_plan(YamlFields& fields)
     const bool has_resolution = fields.has("resolution_m");
     fields.read("resolution_m", resolution_m, Range::positive());
     const auto path = std::filesystem::path(fields.file()).parent_path() / file;
+    Plan plan;
     try
     {
-        const Plan plan = read_plan_file(path.string(), has_resolution ? resolution_m : 0.0);
-        Placed placed{plan.outline, {plan.corner_map.x, plan.corner_map.y, 0}, true};
-        if (fields.has("at")) placed.pose_map_object = read_place(fields);
-        return placed;
+        plan = read_plan_file(path.string(), has_resolution ? resolution_m : 0.0);
     }
     catch (const std::runtime_error& error)
     {
         fields.fail("file", error.what());
     }
+    Placed placed{std::move(plan.outline), {plan.corner_map.x, plan.corner_map.y, 0}, true};
+    if (fields.has("at")) placed.pose_map_object = read_place(fields);
+    return placed;
 }
 
 struct Kind
