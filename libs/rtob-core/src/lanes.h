@@ -25,6 +25,25 @@ RTOB_INLINE void count_up(std::uint32_t begin, IndexLanes& lanes)
     lanes = IndexLanes{0, 1, 2, 3, 4, 5, 6, 7} + static_cast<std::int32_t>(begin);
 }
 
+template <class Half, class Lanes>
+RTOB_INLINE auto smallest_of(const Lanes& lanes)
+{
+    Half low, high;
+    std::memcpy(&low, &lanes, sizeof low);
+    std::memcpy(&high, reinterpret_cast<const char*>(&lanes) + sizeof low, sizeof high);
+    const Half m = low < high ? low : high;
+    const auto a = m[0] < m[1] ? m[0] : m[1], b = m[2] < m[3] ? m[2] : m[3];
+    return a < b ? a : b;
+}
+RTOB_INLINE float smallest(const FloatLanes& lanes)
+{
+    return smallest_of<float __attribute__((vector_size(sizeof(FloatLanes) / 2)))>(lanes);
+}
+RTOB_INLINE std::int32_t smallest(const IndexLanes& lanes)
+{
+    return smallest_of<std::int32_t __attribute__((vector_size(sizeof(IndexLanes) / 2)))>(lanes);
+}
+
 /// In a fixed order.
 RTOB_INLINE float sum_of(const FloatLanes& lanes)
 {

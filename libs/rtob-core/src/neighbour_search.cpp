@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace rtob
 {
@@ -91,16 +92,15 @@ RTOB_INLINE void look_at_row(
 /// Of equally near ones the first.
 RTOB_INLINE NeighbourGrid::Neighbour best_of(const Best& best)
 {
-    std::size_t winner = 0;
-    for (std::size_t lane = 1; lane < kLanes; ++lane)
-        if (best.squared_distance[lane] < best.squared_distance[winner] ||
-            (best.squared_distance[lane] == best.squared_distance[winner] &&
-             best.index[lane] != NeighbourGrid::kNone && best.index[lane] < best.index[winner]))
-            winner = lane;
-    float next = best.squared_next[winner];
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-        if (lane != winner) next = std::min(next, best.squared_distance[lane]);
-    return {best.index[winner], best.squared_distance[winner], next};
+    constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
+    const float least = smallest(best.squared_distance);
+    const IndexLanes is_found = best.index != NeighbourGrid::kNone;
+    const IndexLanes candidates = (best.squared_distance == least) & is_found;
+    const std::int32_t index = smallest(candidates ? best.index : IndexLanes{} + kNever);
+    // All but the winner, and what its own lane put aside.
+    const IndexLanes is_winner = best.index == index;
+    const float next = smallest(is_winner ? best.squared_next : best.squared_distance);
+    return {index == kNever ? NeighbourGrid::kNone : index, least, next};
 }
 
 /// Outwards from the middle row: what is found there saves the rows and cells farther out.
