@@ -10,7 +10,7 @@ namespace rtob
 namespace
 {
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kStep_rad = 0.02;
+constexpr double kStep_rad = 0.03;
 // Ways keep this much more than what is demanded, so that what is found can be flown with noise.
 constexpr double kSpare_m = 0.03;
 // A bend must bring this share of the lookahead, or it is not worth it; changing the side costs

@@ -15,21 +15,19 @@ constexpr std::size_t kKnots = 9;
 // A beam speaks for a little more than its share of the circle, as a turning vehicle spreads beams.
 constexpr double kBeamShare = 0.6;
 
-/// Vehicle poses during a sweep, seen from the vehicle at its end.
+/// The laser's poses during a sweep, seen from the vehicle at its end.
 class SweepPoses
 {
  public:
     /// @return false when the times are not among the reckoned ones
-    bool lookUp(const GuardScan& scan, const DeadReckoning& reckoning)
+    bool lookUp(const GuardScan& scan, const Pose2& pose_odom_end, const DeadReckoning& reckoning)
     {
-        const auto end = reckoning.poseAt(scan.end_s());
-        if (!end) return false;
         for (std::size_t k = 0; k < kKnots; ++k)
         {
             const double share = static_cast<double>(k) / (kKnots - 1);
             const auto pose = reckoning.poseAt(scan.stamp_s + share * scan.sweep_s);
             if (!pose) return false;
-            poses_end_vehicle_[k] = between(*end, *pose);
+            poses_end_laser_[k] = compose(between(pose_odom_end, *pose), scan.pose_vehicle_laser);
         }
         return true;
     }
@@ -40,14 +38,14 @@ class SweepPoses
         const double knot = share * (kKnots - 1);
         const auto k = std::min(static_cast<std::size_t>(knot), kKnots - 2);
         const double rest = knot - static_cast<double>(k);
-        const Pose2 &a = poses_end_vehicle_[k], &b = poses_end_vehicle_[k + 1];
+        const Pose2 &a = poses_end_laser_[k], &b = poses_end_laser_[k + 1];
         return {
             a.x + rest * (b.x - a.x), a.y + rest * (b.y - a.y),
             a.yaw + rest * wrap_angle(b.yaw - a.yaw)};
     }
 
  private:
-    std::array<Pose2, kKnots> poses_end_vehicle_;
+    std::array<Pose2, kKnots> poses_end_laser_;
 };
 }  // namespace
 
@@ -71,7 +69,7 @@ bool ScanPicture::take(const GuardScan& scan, const DeadReckoning& reckoning)
 {
     SweepPoses sweep;
     const auto pose_odom_vehicle = reckoning.poseAt(scan.end_s());
-    if (!pose_odom_vehicle || !sweep.lookUp(scan, reckoning)) return false;
+    if (!pose_odom_vehicle || !sweep.lookUp(scan, *pose_odom_vehicle, reckoning)) return false;
     clear();
     pose_odom_vehicle_ = *pose_odom_vehicle;
     time_s_ = scan.end_s();
@@ -82,7 +80,7 @@ bool ScanPicture::take(const GuardScan& scan, const DeadReckoning& reckoning)
     for (std::size_t i = 0; i < scan.beams; ++i)
     {
         const auto beam = static_cast<double>(i);
-        Pose2 pose_vehicle_beam = compose(sweep.at(beam / last), mount);
+        Pose2 pose_vehicle_beam = sweep.at(beam / last);
         pose_vehicle_beam.yaw += scan.first_bearing_rad + beam * scan.step_rad;
         takeBeam(scan.ranges_m[i], pose_vehicle_beam, kBeamShare * std::abs(scan.step_rad));
     }
@@ -109,11 +107,12 @@ void ScanPicture::takeBeam(float range_m, const Pose2& pose_vehicle_beam, double
 
 void ScanPicture::markBins(float x, float y, bool is_hit, double half_step_rad)
 {
-    const float range_m = std::hypot(x, y);
-    const auto turns = static_cast<double>(turns_of(x, y));
-    const double half_turns = half_step_rad / (2 * kPi);
-    const auto first = static_cast<int>(std::floor((turns - half_turns) * kBins));
-    const auto last = static_cast<int>(std::floor((turns + half_turns) * kBins));
+    const float range_m = std::sqrt(x * x + y * y);
+    const float turns = turns_of(x, y);
+    const auto half_turns = static_cast<float>(half_step_rad / (2 * kPi));
+    // One turn more keeps the truncation from rounding up.
+    const int first = static_cast<int>((turns - half_turns + 1) * kBins) - kBins;
+    const int last = static_cast<int>((turns + half_turns + 1) * kBins) - kBins;
     for (int bin = first; bin <= last; ++bin)
     {
         Bin& marked = bins_[static_cast<std::size_t>(wrapped(bin))];

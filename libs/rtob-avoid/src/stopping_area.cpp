@@ -59,6 +59,23 @@ ConvexArea StoppingArea::of(const Vector2d& command) const
     return area;
 }
 
+ConvexArea StoppingArea::ofUpTo(const Vector2d& command) const
+{
+    const double total_s = totalTime(std::max(fastest_acting_mps_, command.norm()));
+    std::array<Vector2d, ConvexArea::kMaxPoints> corners;
+    std::size_t count = 0;
+    corners[count++] = Vector2d::Zero();
+    corners[count++] = total_s * command;
+    for (const Vector2d& old : acting_)
+    {
+        corners[count++] = total_s * old;
+        corners[count++] = total_s * (old + command);
+    }
+    ConvexArea area;
+    area.hullOf(corners.data(), count);
+    return area;
+}
+
 double StoppingArea::reach(double speed_mps) const
 {
     const double fastest_mps = std::max(speed_mps, fastest_acting_mps_);

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "usable_input.h"
+
 namespace rtob
 {
 namespace
 {
 using Eigen::Vector2d;
 
-// A faster motion is a fault of its sensor.
-constexpr double kAbsurdSpeed_mps = 50;
-constexpr double kAbsurdTurn_radps = 50;
 // A pose this far from where the vehicle's own motion leads is another map, or another place of it.
 constexpr double kPoseJump_m = 0.3;
 constexpr double kPoseJump_rad = 0.2;
@@ -35,28 +34,6 @@ Vector2d turned(const Vector2d& vector, double angle_rad)
     return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
 }
 
-bool is_usable(const VehicleMotion& motion)
-{
-    return motion.velocity_vehicle.norm() < kAbsurdSpeed_mps &&
-           std::abs(motion.yaw_rate_radps) < kAbsurdTurn_radps;  // false for NaN
-}
-
-bool is_usable(const GuardScan& scan)
-{
-    const Pose2& mount = scan.pose_vehicle_laser;
-    return scan.ranges_m != nullptr && scan.beams > 0 && std::isfinite(scan.stamp_s) &&
-           scan.sweep_s >= 0 && scan.sweep_s < DeadReckoning::kLongestGap_s &&
-           std::isfinite(scan.first_bearing_rad) && std::isfinite(scan.step_rad) &&
-           scan.max_range_m > 0 && std::isfinite(mount.x + mount.y + mount.yaw);
-}
-
-bool is_usable(const MapPose& pose)
-{
-    const Pose2& place = pose.pose_map_vehicle;
-    return !pose.is_lost && std::isfinite(pose.stamp_s + place.x + place.y + place.yaw) &&
-           pose.sigma_m >= 0 && std::isfinite(pose.sigma_m);
-}
-
 bool is_jump(const Pose2& pose_expected_found)
 {
     return std::hypot(pose_expected_found.x, pose_expected_found.y) > kPoseJump_m ||
@@ -70,13 +47,8 @@ GuardDecision stop(GuardReason reason)
     return decision;
 }
 
-const VehicleLimits& checked(const VehicleLimits& options)
-{
-    options.validate();
-    return options;
-}
-
-const GuardOptions& checked(const GuardOptions& options)
+template <class Options>
+const Options& checked(const Options& options)
 {
     options.validate();
     return options;
@@ -94,12 +66,14 @@ VelocityGuard::VelocityGuard(const VehicleLimits& vehicle, const GuardOptions& o
 {
     constexpr std::size_t kScanPoints = 2048;
     obstacles_.reserve(static_cast<std::size_t>(options.memory_points) + kScanPoints);
+    at_risk_.reserve(obstacles_.capacity());
 }
 
 void VelocityGuard::observe(const GuardScan& scan, const MapPose& pose)
 {
     const bool is_new = picture_.isEmpty() || scan.end_s() > picture_.time_s();
-    if (!is_usable(scan) || !is_new) return;
+    const bool is_in_time = reckoning_.poseAt(scan.stamp_s) && reckoning_.poseAt(scan.end_s());
+    if (!is_usable(scan) || !is_new || !is_in_time) return;
     if (pose_map_picture_) memory_.add(picture_, *pose_map_picture_, picture_.time_s());
     const Pose2 pose_odom_before = picture_.poseOdomVehicle();
     if (!picture_.take(scan, reckoning_)) return;
@@ -151,11 +125,11 @@ GuardDecision VelocityGuard::judge(
     if (!(std::abs(now_s - picture_.time_s()) <= options_.max_scan_age_s))
         return stop(GuardReason::Stale);
     pose_picture_vehicle_ = between(picture_.poseOdomVehicle(), reckoning_.newest());
-    actOn(motion, now_s);
+    setActing(motion, now_s);
     return choose(wish_vehicle);
 }
 
-void VelocityGuard::actOn(const VehicleMotion& motion, double now_s)
+void VelocityGuard::setActing(const VehicleMotion& motion, double now_s)
 {
     std::array<Vector2d, CommandLog::kMaxActing> commands_odom;
     std::array<Vector2d, CommandLog::kMaxActing + 1> acting_vehicle;
@@ -245,11 +219,11 @@ bool VelocityGuard::isUnknown(double bearing_rad) const
     return picture_.isUnknown(bearing_rad + pose_picture_vehicle_.yaw, body_rad);
 }
 
-bool VelocityGuard::isSafe(const Vector2d& command) const
+bool VelocityGuard::isSafe(const Vector2d& command, const NearObstacles& obstacles) const
 {
     const ConvexArea area = stopping_.of(command);
     return std::none_of(
-        obstacles_.begin(), obstacles_.end(),
+        obstacles.begin(), obstacles.end(),
         [&](const NearObstacle& obstacle)
         { return area.isWithin(obstacle.place_vehicle, obstacle.keep_m); });
 }
@@ -274,7 +248,7 @@ VelocityGuard::Way VelocityGuard::asWished(const Vector2d& wish_vehicle, double 
 VelocityGuard::Way VelocityGuard::bestWay(const Vector2d& wish_vehicle)
 {
     const Way whole = asWished(wish_vehicle, 0);
-    if (isSafe(whole.velocity_vehicle) && whole.velocity_vehicle == wish_vehicle) return whole;
+    if (whole.velocity_vehicle == wish_vehicle && isSafe(wish_vehicle, obstacles_)) return whole;
     const double bend_rad = guidance_.bend(
         obstacles_, bearing_of(wish_vehicle),
         [&](double bearing_rad)
@@ -287,15 +261,20 @@ VelocityGuard::Way VelocityGuard::bestWay(const Vector2d& wish_vehicle)
 }
 
 /// The fastest safe velocity on a way, in whole steps of the wished speed's 128th part.
-VelocityGuard::Way VelocityGuard::fastest(const Way& whole) const
+VelocityGuard::Way VelocityGuard::fastest(const Way& whole)
 {
     Way way = whole;
-    if (whole.velocity_vehicle.isZero() || isSafe(whole.velocity_vehicle)) return way;
+    if (whole.velocity_vehicle.isZero()) return way;
+    at_risk_.clear();
+    const ConvexArea largest = stopping_.ofUpTo(whole.velocity_vehicle);
+    for (const NearObstacle& obstacle : obstacles_)
+        if (largest.isWithin(obstacle.place_vehicle, obstacle.keep_m)) at_risk_.push_back(obstacle);
+    if (isSafe(whole.velocity_vehicle, at_risk_)) return way;
     double safe = 0, unsafe = 1;
     for (int i = 0; i < kHalvings; ++i)
     {
         const double middle = (safe + unsafe) / 2;
-        (isSafe(middle * whole.velocity_vehicle) ? safe : unsafe) = middle;
+        (isSafe(middle * whole.velocity_vehicle, at_risk_) ? safe : unsafe) = middle;
     }
     way.velocity_vehicle *= safe;
     if (way.velocity_vehicle.norm() < kSlowest_mps) way.velocity_vehicle.setZero();

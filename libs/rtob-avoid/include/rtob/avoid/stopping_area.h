@@ -22,6 +22,9 @@ class StoppingArea
 
     [[nodiscard]] ConvexArea of(const Eigen::Vector2d& command) const;
 
+    /// Holds the areas of this command and of all slower ones in its direction.
+    [[nodiscard]] ConvexArea ofUpTo(const Eigen::Vector2d& command) const;
+
     /// No area reaches farther for commands up to this speed.
     [[nodiscard]] double reach(double speed_mps) const;
 

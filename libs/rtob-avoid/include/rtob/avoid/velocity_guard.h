@@ -90,13 +90,13 @@ class VelocityGuard
     void gatherObstacles(double speed_mps);
     void gather(
         const PointsView& points, const Pose2& pose_vehicle_points, double keep_m, double reach_m);
-    void actOn(const VehicleMotion& motion, double now_s);
+    void setActing(const VehicleMotion& motion, double now_s);
     void excuseWhatStoppingCannotAvoid();
     [[nodiscard]] bool isUnknown(double bearing_rad) const;
-    [[nodiscard]] bool isSafe(const Eigen::Vector2d& command) const;
+    [[nodiscard]] bool isSafe(const Eigen::Vector2d& command, const NearObstacles& obstacles) const;
     [[nodiscard]] Way asWished(const Eigen::Vector2d& wish_vehicle, double bend_rad) const;
     [[nodiscard]] Way bestWay(const Eigen::Vector2d& wish_vehicle);
-    [[nodiscard]] Way fastest(const Way& whole) const;
+    [[nodiscard]] Way fastest(const Way& whole);
     void nameLimit(const Eigen::Vector2d& wish_vehicle, GuardDecision& decision) const;
 
     VehicleLimits vehicle_;
@@ -109,7 +109,8 @@ class VelocityGuard
     CommandLog commands_;
     StoppingArea stopping_;
     Guidance guidance_;
-    NearObstacles obstacles_;
+    NearObstacles obstacles_;     ///< all that may matter for this decision
+    NearObstacles at_risk_;       ///< those that matter for one way
     Pose2 pose_picture_vehicle_;  ///< the vehicle now, seen from where it was at the picture's time
 };
 }  // namespace rtob
