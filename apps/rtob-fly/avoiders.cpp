@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/core/nearest_name.h>
+
+#include <stdexcept>
+
+#include "rules.h"
+
+namespace rtob::fly
+{
+namespace
+{
+class OurGuard : public Avoider
+{
+ public:
+    OurGuard(const VehicleLimits& limits, const GuardOptions& options) : guard_(limits, options) {}
+
+    void observe(const GuardScan& scan, const MapPose& pose) override
+    {
+        guard_.observe(scan, pose);
+    }
+    GuardDecision decide(
+        double now_s, const Eigen::Vector2d& wish_vehicle, const VehicleMotion& motion) override
+    {
+        return guard_.decide(now_s, wish_vehicle, motion);
+    }
+
+ private:
+    VelocityGuard guard_;
+};
+
+/// The pilot alone.
+class None : public Avoider
+{
+ public:
+    explicit None(const VehicleLimits& limits) : max_speed_mps_(limits.max_speed_mps) {}
+
+    void observe(const GuardScan&, const MapPose&) override {}
+    GuardDecision decide(double, const Eigen::Vector2d& wish_vehicle, const VehicleMotion&) override
+    {
+        GuardDecision decision;
+        decision.velocity_vehicle = wish_vehicle;
+        const double wished_mps = wish_vehicle.norm();
+        if (wished_mps > max_speed_mps_) decision.velocity_vehicle *= max_speed_mps_ / wished_mps;
+        decision.reason = GuardReason::Free;
+        return decision;
+    }
+
+ private:
+    double max_speed_mps_;
+};
+}  // namespace
+
+std::vector<std::string> avoider_names()
+{
+    return {"guard", "px4", "ardupilot", "none"};
+}
+
+std::unique_ptr<Avoider> make_avoider(
+    const std::string& name, const VehicleLimits& limits, const GuardOptions& options)
+{
+    if (name == "guard") return std::make_unique<OurGuard>(limits, options);
+    if (name == "px4") return std::make_unique<CollisionPrevention>(limits);
+    if (name == "ardupilot") return std::make_unique<SimpleAvoidance>(limits);
+    if (name == "none") return std::make_unique<None>(limits);
+    throw std::invalid_argument("no avoider '" + name + "'" + suggestion(name, avoider_names()));
+}
+}  // namespace rtob::fly
