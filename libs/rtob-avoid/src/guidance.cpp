@@ -36,6 +36,7 @@ void Guidance::sortIntoSectors(const NearObstacles& obstacles)
     {
         const double x = obstacle.place_vehicle.x(), y = obstacle.place_vehicle.y();
         const double gap_m = std::sqrt(x * x + y * y) - obstacle.keep_m;
+        if (gap_m >= lookahead_m_) continue;
         const int sector = sector_of(static_cast<float>(x), static_cast<float>(y), kSectors);
         Nearest& nearest = nearest_[static_cast<std::size_t>(sector)];
         if (gap_m < nearest.gap_m) nearest = {x, y, obstacle.keep_m, gap_m};

@@ -42,9 +42,7 @@ bool is_jump(const Pose2& pose_expected_found)
 
 GuardDecision stop(GuardReason reason)
 {
-    GuardDecision decision;
-    decision.reason = reason;
-    return decision;
+    return {Vector2d::Zero(), reason};
 }
 
 template <class Options>
@@ -64,8 +62,7 @@ VelocityGuard::VelocityGuard(const VehicleLimits& vehicle, const GuardOptions& o
       stopping_(vehicle),
       guidance_(options)
 {
-    constexpr std::size_t kScanPoints = 2048;
-    obstacles_.reserve(static_cast<std::size_t>(options.memory_points) + kScanPoints);
+    obstacles_.reserve(static_cast<std::size_t>(options.memory_points) + 2048);  // and a scan
     at_risk_.reserve(obstacles_.capacity());
 }
 
@@ -154,30 +151,31 @@ GuardDecision VelocityGuard::choose(const Vector2d& wish_vehicle)
         return decision;
     }
     const Vector2d capped = wish_vehicle * std::min(1.0, limit_mps / wished_mps);
-    gatherObstacles(capped.norm());
-
     const Way way = bestWay(capped);
     decision.velocity_vehicle = way.velocity_vehicle;
     decision.bend_rad = way.bend_rad;
     if (way.velocity_vehicle == wish_vehicle) return decision;
     nameLimit(capped, decision);
-    const bool is_stopped = way.velocity_vehicle.isZero();
     if (way.is_unknown)
         decision.reason = GuardReason::NoData;
-    else if (is_stopped)
+    else if (way.velocity_vehicle.isZero())
         decision.reason = GuardReason::Blocked;
     else if (usesMemory())
         decision.reason = way.bend_rad != 0 ? GuardReason::Guided : GuardReason::Slowed;
     return decision;
 }
 
-void VelocityGuard::gatherObstacles(double speed_mps)
+double VelocityGuard::rememberedKeep() const
+{
+    return vehicle_.clearance() + (usesMemory() ? options_.pose_sigmas * pose_sigma_m_ : 0);
+}
+
+/// Those that a way of this length may come too near to.
+void VelocityGuard::gatherObstacles(double way_m)
 {
     obstacles_.clear();
     const double keep_m = vehicle_.clearance();
-    const double remembered_keep_m =
-        keep_m + (usesMemory() ? options_.pose_sigmas * pose_sigma_m_ : 0);
-    const double reach_m = std::max(stopping_.reach(speed_mps), options_.lookahead_m) + 2 * keep_m;
+    const double reach_m = way_m + rememberedKeep();
     const Pose2 pose_vehicle_picture = inverse(pose_picture_vehicle_);
     gather(picture_.hits().view(), pose_vehicle_picture, keep_m, reach_m);
     if (options_.unknown != UnknownPolicy::Allow)
@@ -185,7 +183,7 @@ void VelocityGuard::gatherObstacles(double speed_mps)
     if (usesMemory())
         gather(
             memory_.points_map(), compose(pose_vehicle_picture, inverse(*pose_map_picture_)),
-            remembered_keep_m, reach_m);
+            rememberedKeep(), reach_m);
     excuseWhatStoppingCannotAvoid();
 }
 
@@ -247,8 +245,11 @@ VelocityGuard::Way VelocityGuard::asWished(const Vector2d& wish_vehicle, double 
 /// Straight ahead, unless a bend brings the vehicle farther along the wish.
 VelocityGuard::Way VelocityGuard::bestWay(const Vector2d& wish_vehicle)
 {
+    const double stopping_m = stopping_.reach(wish_vehicle.norm());
+    gatherObstacles(stopping_m);
     const Way whole = asWished(wish_vehicle, 0);
     if (whole.velocity_vehicle == wish_vehicle && isSafe(wish_vehicle, obstacles_)) return whole;
+    gatherObstacles(std::max(stopping_m, options_.lookahead_m));
     const double bend_rad = guidance_.bend(
         obstacles_, bearing_of(wish_vehicle),
         [&](double bearing_rad)

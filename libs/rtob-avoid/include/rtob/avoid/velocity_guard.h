@@ -87,7 +87,8 @@ class VelocityGuard
         double now_s, const Eigen::Vector2d& wish_vehicle, const VehicleMotion& motion);
     [[nodiscard]] GuardDecision choose(const Eigen::Vector2d& wish_vehicle);
     void locate(const MapPose& pose);
-    void gatherObstacles(double speed_mps);
+    [[nodiscard]] double rememberedKeep() const;
+    void gatherObstacles(double way_m);
     void gather(
         const PointsView& points, const Pose2& pose_vehicle_points, double keep_m, double reach_m);
     void setActing(const VehicleMotion& motion, double now_s);
