@@ -25,6 +25,11 @@ class Builder
         built_.world.objects.push_back(wall);
         return *this;
     }
+    /// 10 cm thick, along x or y: a wall without thickness could not be seen end on.
+    Builder& wall(double x0, double y0, double x1, double y1)
+    {
+        return box(x0 - 0.05, y0 - 0.05, x1 + 0.05, y1 + 0.05);
+    }
     Builder& box(double x0, double y0, double x1, double y1)
     {
         return line({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}});
@@ -54,7 +59,8 @@ FlyWorld room()
     return Builder("room")
         .box(0, 0, 4.8, 3.7)
         .box(0.5, 3.55, 1.7, 3.7)
-        .line({{4.8, 1.2}, {4.1, 1.2}, {4.1, 0.4}})
+        .wall(4.1, 1.2, 4.75, 1.2)
+        .wall(4.1, 0.4, 4.1, 1.2)
         .inside({0, 0, 4.8, 3.7}, {{1, 1}, {3.4, 2.8}, {1, 2.8}, {3.2, 0.8}});
 }
 
@@ -62,9 +68,11 @@ FlyWorld room()
 FlyWorld garage()
 {
     return Builder("garage")
-        .line({{6, 0.4}, {6, 0}, {0, 0}, {0, 3.2}, {6, 3.2}, {6, 2.8}})
+        .line({{6, 0}, {0, 0}, {0, 3.2}, {6, 3.2}})
         .line({{6, 0}, {6, -4}, {13, -4}, {13, 7}, {6, 7}, {6, 3.2}})
-        .line({{6, 2.8}, {6.3, 2.8}, {6.3, 5}, {6, 5}})
+        .wall(5.95, 0.05, 5.95, 0.35)
+        .wall(5.95, 2.85, 5.95, 3.15)
+        .box(6, 2.8, 6.3, 5)
         .box(9, 3, 9.6, 3.7)
         .post(10.5, -1.5, 0.15)
         .box(0.2, 2.6, 2.4, 3.0)
@@ -76,14 +84,14 @@ FlyWorld flat()
 {
     return Builder("flat")
         .box(0, 0, 10, 8)
-        .line({{0, 3.4}, {1.8, 3.4}})
-        .line({{2.9, 3.4}, {6.6, 3.4}})
-        .line({{7.8, 3.4}, {10, 3.4}})
-        .line({{0, 5.0}, {2.2, 5.0}})
-        .line({{3.4, 5.0}, {7.0, 5.0}})
-        .line({{8.1, 5.0}, {10, 5.0}})
-        .line({{4.6, 0}, {4.6, 3.4}})
-        .line({{5.2, 5.0}, {5.2, 8}})
+        .wall(0, 3.4, 1.8, 3.4)
+        .wall(2.9, 3.4, 6.6, 3.4)
+        .wall(7.8, 3.4, 10, 3.4)
+        .wall(0, 5.0, 2.2, 5.0)
+        .wall(3.4, 5.0, 7.0, 5.0)
+        .wall(8.1, 5.0, 10, 5.0)
+        .wall(4.6, 0, 4.6, 3.4)
+        .wall(5.2, 5.0, 5.2, 8)
         .post(1.4, 1.2, 0.03)
         .post(2.8, 1.2, 0.03)
         .post(1.4, 2.0, 0.03)
