@@ -25,7 +25,9 @@ ScanFilterOptions thinned(ScanFilterOptions options)
 
 void LaserCheck::add(const mrpt::obs::CObservation2DRangeScan& scan)
 {
-    stamps_.add(stamp_of(scan));
+    const double stamp_s = stamp_of(scan);
+    stamps_.add(stamp_s);
+    grid_.add(stamp_s);
     geometry_.add(scan);
     ranges_.add(scan);
     body_.add(scan);
@@ -34,6 +36,7 @@ void LaserCheck::add(const mrpt::obs::CObservation2DRangeScan& scan)
 void LaserCheck::report(CheckReport& report) const
 {
     stamps_.report(report);
+    grid_.report(report);
     geometry_.report(report);
     ranges_.report(report);
     body_.report(report);

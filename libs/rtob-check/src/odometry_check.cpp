@@ -74,7 +74,8 @@ void OdometryCheck::reportSpacing(CheckReport& report) const
     {
         finding.severity = Severity::Warn;
         finding.fix =
-            "Scans do not overlap: too fast for the rate, wrong angles of the beams, a "
+            "Scans do not overlap: too fast for the rate, ranges that err by decimetres, wrong "
+            "angles of the beams, a "
             "tilting laser, or an empty place";
     }
     else if (spacing_m > kFarApart_m)

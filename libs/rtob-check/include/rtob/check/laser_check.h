@@ -8,6 +8,7 @@
 #include <rtob/check/rest_check.h>
 #include <rtob/check/sector_check.h>
 #include <rtob/check/stamp_check.h>
+#include <rtob/check/stamp_grid.h>
 #include <rtob/slam/scan_filter.h>
 
 #include <optional>
@@ -27,6 +28,7 @@ class LaserCheck
 
  private:
     StampCheck stamps_;
+    StampGrid grid_;
     GeometryCheck geometry_;
     RangeCheck ranges_;
     BodyCheck body_;
