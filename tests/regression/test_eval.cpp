@@ -144,6 +144,41 @@ TEST_F(Eval, SaysWhatIsWrongWithTheFiles)
     expectFailure({strangers, reference_}, "relations stand where poses are needed");
 }
 
+TEST_F(Eval, LaysAMapOnAnother)
+{
+    std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 120\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n";
+    std::string corner, turned;
+    for (int k = 0; k < 120; ++k)
+    {
+        // A corner of 4 m and 2 m; the other map has its axes a quarter turn on.
+        const double x = k < 80 ? 0.05 * k : 0, y = k < 80 ? 0 : 0.05 * (k - 80);
+        corner += std::to_string(x) + " " + std::to_string(y) + " 0\n";
+        turned += std::to_string(y) + " " + std::to_string(-x) + " 0\n";
+    }
+    const auto reference = folder_.write("ref.ply", header + corner);
+    const auto estimate = folder_.write("est.ply", header + turned);
+    const std::string out = folder_.file("maps");
+    const auto json = Json::parse(eval({estimate, reference, "--json", "-o", out}).out);
+    EXPECT_NEAR(json["alignment"]["yaw_deg"], 90, 0.5);
+    EXPECT_EQ(json["estimate_share"], 1);
+    EXPECT_EQ(json["reference_share"], 1);
+    EXPECT_THAT(file_content(out + "/eval.txt"), HasSubstr("100.0 % of the estimate's"));
+    EXPECT_THAT(file_content(out + "/eval_maps.png"), HasSubstr("PNG"));
+
+    expectFailure({estimate, reference_}, "compare a map with a map", 2);
+    expectFailure({reference_, estimate}, "compare a map with a map", 2);
+    expectFailure({estimate, reference, "--align", "se2"}, "--align: maps", 2);
+    const auto cut = folder_.write("cut.ply", header.substr(0, 30));
+    expectFailure({estimate, cut}, cut);
+    const auto empty = folder_.write(
+        "empty.ply",
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n");
+    expectFailure({empty, reference}, empty);
+}
+
 TEST_F(Eval, RefusesFlagsThatMeanNothing)
 {
     const auto relations = folder_.write("a.relations", "10 10.5 1 0 0 0 0 0\n");

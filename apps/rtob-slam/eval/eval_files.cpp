@@ -3,6 +3,7 @@
 
 #include <rtob/core/enum_names.h>
 #include <rtob/eval/error_pictures.h>
+#include <rtob/eval/map_overlay.h>
 #include <rtob/io/atomic_file.h>
 
 #include <cmath>
@@ -94,6 +95,40 @@ Pictures pictures_of(const RelationEvaluation& evaluation)
     return pictures;
 }
 
+void write_path_pictures(const std::string& folder, Pictures pictures, const std::string& title)
+{
+    pictures.plot.title = "Error over time: " + title;
+    pictures.path.title = "Path coloured by error: " + title;
+    pictures.path.facts = pictures.plot.facts;
+    write_error_plot(folder + "/eval_errors.png", pictures.plot);
+    write_error_path(folder + "/eval_path.png", pictures.path);
+}
+
+void write_pictures(
+    const std::string& folder, const MapEvaluation& evaluation, const std::string& title)
+{
+    constexpr double percent = 100;
+    const auto& agreement = evaluation.agreement;
+    char facts[160];
+    std::snprintf(
+        facts, sizeof facts,
+        "red: estimate, blue: reference;  %.0f %% and %.0f %% of their cells lie within %.2f m",
+        percent * agreement.estimate_share, percent * agreement.reference_share,
+        evaluation.options.tolerance_m);
+    MapOverlayInput overlay;
+    overlay.points_reference = evaluation.points_reference.view();
+    overlay.points_estimate = evaluation.points_estimate.view();
+    overlay.title = "Maps laid on each other: " + title;
+    overlay.facts = facts;
+    write_map_overlay(folder + "/eval_maps.png", overlay);
+}
+
+template <class OfPaths>
+void write_pictures(const std::string& folder, const OfPaths& evaluation, const std::string& title)
+{
+    write_path_pictures(folder, pictures_of(evaluation), title);
+}
+
 void write_text(const std::string& file, const std::string& text)
 {
     AtomicFile out(file);
@@ -110,13 +145,8 @@ void write_eval_files(
     if (error)
         throw std::runtime_error(
             "folder " + folder + " cannot be made: " + error.message() + ". Name another one.");
-    auto pictures = std::visit([](const auto& each) { return pictures_of(each); }, evaluation);
-    pictures.plot.title = "Error over time: " + title;
-    pictures.path.title = "Path coloured by error: " + title;
-    pictures.path.facts = pictures.plot.facts;
     write_text(folder + "/eval.txt", report_text(evaluation));
     write_text(folder + "/eval.json", report_json(evaluation));
-    write_error_plot(folder + "/eval_errors.png", pictures.plot);
-    write_error_path(folder + "/eval_path.png", pictures.path);
+    std::visit([&](const auto& each) { write_pictures(folder, each, title); }, evaluation);
 }
 }  // namespace rtob

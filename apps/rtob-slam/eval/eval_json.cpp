@@ -97,6 +97,23 @@ Json json_of(const TrajectoryEvaluation& evaluation)
         {"rpe", rpe},
         {"worst", worst}};
 }
+
+Json json_of(const MapEvaluation& evaluation)
+{
+    const auto& agreement = evaluation.agreement;
+    const Pose2& motion = agreement.pose_reference_estimate;
+    return {
+        {"reference", "map"},
+        {"cell_m", evaluation.options.cell_m},
+        {"tolerance_m", evaluation.options.tolerance_m},
+        {"estimate_cells", agreement.estimate_cells},
+        {"reference_cells", agreement.reference_cells},
+        {"alignment",
+         {{"x_m", motion.x}, {"y_m", motion.y}, {"yaw_deg", motion.yaw * deg_per_rad}}},
+        {"estimate_share", agreement.estimate_share},
+        {"reference_share", agreement.reference_share},
+        {"mean_distance_m", agreement.mean_distance_m}};
+}
 }  // namespace
 
 std::string report_json(const Evaluation& evaluation)

@@ -101,6 +101,23 @@ std::string text_of(const TrajectoryEvaluation& evaluation)
             score.matches[error.match].time_s);
     return text;
 }
+
+std::string text_of(const MapEvaluation& evaluation)
+{
+    constexpr double percent = 100;
+    const auto& agreement = evaluation.agreement;
+    const Pose2& motion = agreement.pose_reference_estimate;
+    return line(
+               "laid on  estimate turned by %.3f deg, then shifted by x %.3f m, y %.3f m\n",
+               motion.yaw * deg_per_rad, motion.x, motion.y) +
+           line(
+               "shared   %.1f %% of the estimate's %zu cells of %g m, %.1f %% of the reference's "
+               "%zu, lie within %g m of one of the other\n",
+               percent * agreement.estimate_share, agreement.estimate_cells,
+               evaluation.options.cell_m, percent * agreement.reference_share,
+               agreement.reference_cells, evaluation.options.tolerance_m) +
+           line("distance %.4f m on average, of these cells\n", agreement.mean_distance_m);
+}
 }  // namespace
 
 std::string step_text(const RelativeErrorOptions& options)

@@ -3,7 +3,10 @@
 
 #include <rtob/io/pose_file.h>
 
+#include <cmath>
 #include <stdexcept>
+
+#include "eval/map_file.h"
 
 namespace rtob
 {
@@ -24,7 +27,29 @@ auto compared(
             estimate_file + " against " + reference_file + ": " + error.what() + ".");
     }
 }
+
+void move(Points& points, const Pose2& pose)
+{
+    const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const double x = points.x[i], y = points.y[i];
+        points.x[i] = static_cast<float>(pose.x + c * x - s * y);
+        points.y[i] = static_cast<float>(pose.y + s * x + c * y);
+    }
+}
 }  // namespace
+
+MapEvaluation evaluate_maps(const std::string& estimate_file, const std::string& reference_file)
+{
+    MapEvaluation maps;
+    maps.points_estimate = read_ply_points(estimate_file);
+    maps.points_reference = read_ply_points(reference_file);
+    maps.agreement =
+        map_agreement(maps.points_estimate.view(), maps.points_reference.view(), maps.options);
+    move(maps.points_estimate, maps.agreement.pose_reference_estimate);
+    return maps;
+}
 
 Evaluation evaluate(
     const std::string& estimate_file, const std::string& reference_file,

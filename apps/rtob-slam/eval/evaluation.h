@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/core/points.h>
+#include <rtob/eval/map_agreement.h>
 #include <rtob/eval/relations.h>
 #include <rtob/eval/trajectory_score.h>
 
@@ -26,11 +28,24 @@ struct TrajectoryEvaluation
     TrajectoryScore score;
 };
 
-using Evaluation = std::variant<RelationEvaluation, TrajectoryEvaluation>;
+/// A map against another one of the same place.
+struct MapEvaluation
+{
+    Points points_estimate;   ///< as laid onto the reference
+    Points points_reference;  ///< in its own map frame, as the above
+    MapAgreementOptions options;
+    MapAgreement agreement;
+};
+
+using Evaluation = std::variant<RelationEvaluation, TrajectoryEvaluation, MapEvaluation>;
 
 /// Finds out what the reference is and compares; the options are for trajectories. Throws
 /// std::runtime_error that names the files.
 [[nodiscard]] Evaluation evaluate(
     const std::string& estimate_file, const std::string& reference_file,
     const ScoreOptions& options);
+
+/// The same for two PLY files.
+[[nodiscard]] MapEvaluation evaluate_maps(
+    const std::string& estimate_file, const std::string& reference_file);
 }  // namespace rtob
