@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 struct CompareFlags
 {
     std::vector<std::string> logs, truths, densities, mrpt_files, variants, sets;
-    std::string config_file, folder, first, skip, repeats = "3", seeds = "3";
+    std::string config_file, folder, first, skip, time_limit, repeats = "3", seeds = "3";
     bool overwrite = false, no_odometry = false, quiet = false;
 };
 
@@ -94,6 +94,7 @@ std::string command_for(const CompareFlags& flags, const std::string& log, const
     add("--skip", flags.skip);
     add("--repeats", flags.repeats);
     add("--seeds", flags.seeds);
+    add("--time-limit", flags.time_limit);
     return command;
 }
 
@@ -118,6 +119,10 @@ CompareJob job_of(const CompareFlags& flags, std::size_t index)
     if (!flags.skip.empty()) job.limits.skip_scans = positive("--skip", flags.skip);
     job.repeats = small_count("--repeats", flags.repeats);
     job.seeds = small_count("--seeds", flags.seeds);
+    constexpr double minute_s = 60;
+    if (!flags.time_limit.empty())
+        job.time_limit_s =
+            minute_s * static_cast<double>(positive("--time-limit", flags.time_limit));
     const RunConfig config = load_run_config(job.config_file, flags_of(job.sets));
     job.limits.use_odometry = config.run.use_odometry;
     job.choice = {flags.densities, flags.mrpt_files, flags.variants};
@@ -190,6 +195,8 @@ VerbAction declare_compare(CLI::App& command)
         ->allow_extra_args(false);
     add("--repeats", flags->repeats, "N", "runs of each variant; default 3");
     add("--seeds", flags->seeds, "N", "seeds of variants that draw at random; default 3");
+    add("--time-limit", flags->time_limit, "MIN",
+        "end a run that takes longer; its row says so; default: none");
     add("-c,--config", flags->config_file, "FILE.ini", "RTOB's; its lasers and beams are for all");
     add("--set", flags->sets, "Section.key=value", "set any option of RTOB")
         ->allow_extra_args(false);

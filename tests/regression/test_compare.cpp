@@ -30,7 +30,7 @@ std::string field_of(const std::string& row, int column)
 }
 double error_of(const std::string& row)
 {
-    return std::stod(field_of(row, 4));
+    return std::stod(field_of(row, 5));
 }
 
 class CompareVerb : public RunFixture

@@ -55,6 +55,7 @@ namespace rtob::test
     comparison.variants[0].runs[1].seed = 2;
     comparison.variants[1].name = "poor";
     comparison.variants[1].runs = {run_with_error(4)};
+    comparison.variants[1].runs[0].lost_scans = 7;
     comparison.variants[2].name = "broken";
     comparison.variants[2].runs = {failed_run("a file <x.ini> is \"missing\", so | it ends")};
     return comparison;

@@ -45,6 +45,7 @@ VariantJob job_for(
     run.density = spec.density;
     run.variant_file = spec.config_file;
     run.seed = planned.seed;
+    run.time_limit_s = job.time_limit_s;
     run.title = spec.name;
     if (spec.usesSeed()) run.title += ", seed " + std::to_string(planned.seed);
     return run;

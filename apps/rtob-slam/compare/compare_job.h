@@ -21,7 +21,8 @@ struct CompareJob
     RunLimits limits;
     VariantChoice choice;
     int repeats = 3, seeds = 3;
-    std::string command;  ///< that the user typed
+    double time_limit_s = 0;  ///< of a run; 0: none
+    std::string command;      ///< that the user typed
 };
 
 /// Runs all variants, each run in a process of its own, and writes the folder with the report. A

@@ -25,7 +25,9 @@ Pose2 RtobVariant::process(const ScanStep& step)
         odometry.odometry = to_cpose2d(*step.pose_odom_vehicle);
         static_cast<void>(slam_.observe(odometry));
     }
-    return slam_.process(*step.scan).pose_map_vehicle;
+    const ScanReport& report = slam_.process(*step.scan);
+    if (report.state == TrackingState::Lost) ++lost_scans_;
+    return report.pose_map_vehicle;
 }
 
 VariantMap RtobVariant::map() const

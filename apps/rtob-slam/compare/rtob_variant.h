@@ -15,9 +15,11 @@ class RtobVariant : public Variant
 
     Pose2 process(const ScanStep& step) override;
     [[nodiscard]] VariantMap map() const override;
+    [[nodiscard]] std::optional<std::uint64_t> lostScans() const override { return lost_scans_; }
 
  private:
     Slam slam_;
+    std::uint64_t lost_scans_ = 0;
 };
 
 /// No SLAM at all: what the wheels say. Logs of actions have none before their first scan.

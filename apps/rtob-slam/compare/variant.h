@@ -41,5 +41,9 @@ class Variant
     virtual Pose2 process(const ScanStep& step) = 0;
 
     [[nodiscard]] virtual VariantMap map() const = 0;
+
+    /// At how many scans the program itself said that it did not know where it was; none where it
+    /// has no way to say so.
+    [[nodiscard]] virtual std::optional<std::uint64_t> lostScans() const { return std::nullopt; }
 };
 }  // namespace rtob

@@ -29,6 +29,7 @@ void write_job(const std::string& file, const VariantJob& job)
     json["density"] = job.density;
     json["variant_file"] = job.variant_file;
     json["seed"] = job.seed;
+    json["time_limit_s"] = job.time_limit_s;
     json["title"] = job.title;
     AtomicFile out(file);
     out.stream() << json.dump(2) << "\n";
@@ -54,6 +55,7 @@ VariantJob read_job(const std::string& file)
         json.at("density").get_to(job.density);
         json.at("variant_file").get_to(job.variant_file);
         json.at("seed").get_to(job.seed);
+        json.at("time_limit_s").get_to(job.time_limit_s);
         json.at("title").get_to(job.title);
     }
     catch (const std::exception& error)

@@ -55,7 +55,8 @@ struct VariantJob
     VariantKind kind = VariantKind::Rtob;
     std::string density, variant_file;  ///< as in VariantSpec
     std::uint64_t seed = 1;
-    std::string title;  ///< of its pictures
+    double time_limit_s = 0;  ///< as a clock on the wall sees it; 0: none
+    std::string title;        ///< of its pictures
 };
 
 /// Throws std::runtime_error naming the file.

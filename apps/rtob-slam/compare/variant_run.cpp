@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "compare/scan_steps.h"
@@ -31,6 +32,7 @@ struct VariantResult
     std::vector<StampedPose2> path;  ///< in the program's own map frame
     ScanTimes times;
     double peak_memory_mb = 0;
+    std::optional<std::uint64_t> lost_scans;
 };
 
 /// Of all threads: what the run takes from others on this computer.
@@ -74,12 +76,39 @@ void add_step(Variant& variant, const ScanStep& step, double stamp_s, VariantRes
     result.times.cpu_ms.push_back(static_cast<float>(1e3 * cpu_s));
 }
 
+/// Too slow to wait for: half a path would look better, or worse, than the whole one.
+class TimeLimit
+{
+ public:
+    explicit TimeLimit(double limit_s) : limit_s_(limit_s) {}
+
+    /// Throws std::runtime_error when it has passed.
+    void check(std::size_t scans) const
+    {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+        if (limit_s_ <= 0 || elapsed.count() <= limit_s_) return;
+        std::ostringstream text;
+        text << "too slow: ended at scan " << scans << " by --time-limit, after " << limit_s_ / 60
+             << " min";
+        throw std::runtime_error(text.str());
+    }
+
+ private:
+    double limit_s_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 VariantResult run_over_log(const VariantJob& job, const RunConfig& config, Variant& variant)
 {
     VariantResult result;
     ScanSteps steps(job.log, config, job.limits);
+    const TimeLimit limit(job.time_limit_s);
     while (const auto step = steps.next())
+    {
+        limit.check(result.path.size());
         add_step(variant, *step, written_stamp(*step->scan), result);
+    }
+    result.lost_scans = variant.lostScans();
     result.peak_memory_mb = peak_memory_mb();
     if (result.path.empty()) throw std::runtime_error(no_scans_message(job.log, steps.read()));
     return result;
@@ -167,11 +196,12 @@ void run_variant(const VariantJob& job, const MakeVariant& make)
     write_picture(folder + "map.png", map.points, result.path, job.title + ": its own map");
     write_picture(
         folder + "scans.png", scans_along(result.path, job, config), result.path, job.title);
-    const nlohmann::ordered_json json{
+    nlohmann::ordered_json json{
         {"scans", result.path.size()},
         {"peak_memory_mb", result.peak_memory_mb},
         {"map_size", map.size},
         {"map_unit", map.unit}};
+    if (result.lost_scans) json["lost_scans"] = *result.lost_scans;
     AtomicFile out(folder + "result.json");
     out.stream() << json.dump(2) << "\n";
     out.commit();
@@ -186,6 +216,7 @@ void read_variant_run(const std::string& folder, ComparedRun& run)
     json.at("peak_memory_mb").get_to(run.peak_memory_mb);
     json.at("map_size").get_to(run.map_size);
     json.at("map_unit").get_to(run.map_unit);
+    if (json.contains("lost_scans")) run.lost_scans = json["lost_scans"].get<std::uint64_t>();
     run.trajectory = read_tum(folder + "/trajectory.tum");
     read_times(folder + "/timing.csv", run);
 }

@@ -88,6 +88,9 @@ VariantFigures figures_of(const ComparedVariant& variant)
     add_times(runs, figures);
     add_accuracy(runs, figures);
     figures.peak_memory_mb = over(runs, [](const auto& run) { return run.peak_memory_mb; });
+    for (const auto* run : runs)
+        if (run->lost_scans)
+            figures.lost_scans = std::max(figures.lost_scans.value_or(0), *run->lost_scans);
     figures.map_size =
         over(runs, [](const auto& run) { return static_cast<double>(run.map_size); });
     return figures;

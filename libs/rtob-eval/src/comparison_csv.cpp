@@ -8,11 +8,12 @@ namespace rtob
 namespace
 {
 constexpr const char* header =
-    "variant,round,seed,scans,error_mean_m,error_std_m,turn_error_mean_deg,turn_error_std_deg,"
+    "variant,round,seed,scans,lost_scans,error_mean_m,error_std_m,turn_error_mean_deg,turn_error_"
+    "std_deg,"
     "scan_cpu_p50_ms,scan_cpu_p95_ms,scan_cpu_p99_ms,scan_cpu_max_ms,scan_wall_p50_ms,"
     "scan_wall_p99_ms,scan_wall_max_ms,first_tenth_ms,last_tenth_ms,cpu_s,peak_memory_mb,map_size,"
     "map_unit,failure\n";
-constexpr int figure_columns = 18;  // from `scans` to `map_unit`
+constexpr int figure_columns = 19;  // from `scans` to `map_unit`
 
 std::string quoted(const std::string& text)
 {
@@ -39,7 +40,8 @@ void write_figures(std::ostream& out, const ComparedVariant& variant, const Comp
     ComparedVariant alone = variant;
     alone.runs = {run};
     const VariantFigures figures = figures_of(alone);
-    out << ',' << run.scan_cpu_ms.size();
+    out << ',' << run.scan_cpu_ms.size() << ',';
+    if (run.lost_scans) out << *run.lost_scans;
     write_accuracy(out, run.accuracy);
     for (const auto* spread :
          {&figures.scan_p50_ms, &figures.scan_p95_ms, &figures.scan_p99_ms, &figures.scan_max_ms})

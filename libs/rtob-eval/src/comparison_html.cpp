@@ -164,9 +164,9 @@ std::string comparison_html(const Comparison& comparison, const std::string& fol
                        title + "</title><style>" + style + "</style></head><body>\n<h1>" + title +
                        "</h1>\n<p>" + escaped(comparison_summary(comparison)) + "</p>\n<p>" +
                        escaped(truth_sentence(comparison)) + "</p>\n";
+    html += variants_html(comparison);
     html += heading("In short") + list_of(comparison_findings(comparison));
     html += heading("Figures") + table_html(table) + meanings_html(table);
-    html += variants_html(comparison);
     html += heading("The scans, put where each variant says the vehicle was") +
             "<p>Drawn alike for all, so that just the paths differ. Sharp, single walls: the path "
             "is right. Doubled or blurred walls: it is not.</p>\n" +

@@ -78,10 +78,10 @@ std::string comparison_markdown(const Comparison& comparison)
     const auto table = comparison_table(comparison);
     std::string text = "# " + comparison_title(comparison) + "\n\n" +
                        comparison_summary(comparison) + " " + truth_sentence(comparison) + "\n";
+    add_list(text, "What was compared", variant_items(comparison));
     add_list(text, "In short", comparison_findings(comparison));
     text += "\n## Figures\n\n" + table_text(table);
     add_list(text, "How to read them", explanations(table));
-    add_list(text, "What was compared", variant_items(comparison));
     for (const auto& plot : comparison_plots(comparison))
         text += "\n## " + plot.title + "\n\n![" + plot.title + "](" + plot.name + ".svg)\n\n" +
                 plot.caption + "\n";

@@ -12,8 +12,8 @@ namespace rtob
 {
 namespace
 {
-// Slices of the log: as many as can be told apart, and as few as make means that do not jump.
-constexpr std::size_t time_slices = 150, error_slices = 50;
+// Slices of the log: as few as make means that do not jump.
+constexpr std::size_t slices_of_log = 50;
 constexpr double smallest_error_m = 1e-3;  // less is below what any truth can tell
 
 /// A variant with a result, and its run that is drawn.
@@ -144,7 +144,7 @@ ComparisonPlot plot_of_errors(const std::vector<Drawn>& drawn)
         if (!d.run.accuracy) continue;
         const auto& errors = d.run.accuracy->errors;
         const double begin = errors.front().time_s, end = errors.back().time_s;
-        Slices slices(begin, end, error_slices);
+        Slices slices(begin, end, slices_of_log);
         for (const auto& error : errors)
             slices.add(error.time_s, std::max(error.distance_m, smallest_error_m));
         PlotLine line = slices.means();
@@ -225,7 +225,7 @@ ComparisonPlot plot_of_times(const std::vector<Drawn>& drawn)
     {
         if (d.variant.is_reference) continue;
         const auto& times_ms = d.run.scan_cpu_ms;
-        Slices slices(0, static_cast<double>(times_ms.size()), time_slices);
+        Slices slices(0, static_cast<double>(times_ms.size()), slices_of_log);
         for (std::size_t i = 0; i < times_ms.size(); ++i)
             slices.add(static_cast<double>(i), static_cast<double>(times_ms[i]));
         PlotLine means = slices.means(), highest = slices.highest();

@@ -35,6 +35,9 @@ struct ComparisonTable
     std::vector<TableRow> rows;
 };
 
+/// 1234567 as "1 234 567", smaller numbers with three digits that mean something.
+[[nodiscard]] std::string readable(double value);
+
 [[nodiscard]] ComparisonTable comparison_table(const Comparison& comparison);
 
 /// What the table says in a few sentences, for people who read no tables.

@@ -24,6 +24,7 @@ TEST(VariantJob, IsReadBackAsWritten)
     job.density = "window";
     job.variant_file = "icp.ini";
     job.seed = 4;
+    job.time_limit_s = 90;
     job.title = "mrpt-stock";
     const TemporaryFile file(".json");
     write_job(file.path(), job);
@@ -39,6 +40,7 @@ TEST(VariantJob, IsReadBackAsWritten)
     EXPECT_EQ(read.density, job.density);
     EXPECT_EQ(read.variant_file, job.variant_file);
     EXPECT_EQ(read.seed, 4u);
+    EXPECT_EQ(read.time_limit_s, 90);
     EXPECT_EQ(read.title, job.title);
 }
 

@@ -29,11 +29,11 @@ TEST(ComparisonCsv, HasALineForEachRun)
 {
     const auto lines = lines_of(comparison_csv(comparison_sample()));
     ASSERT_EQ(lines.size(), 5u);
-    EXPECT_THAT(lines[0], StartsWith("variant,round,seed,scans,error_mean_m"));
+    EXPECT_THAT(lines[0], StartsWith("variant,round,seed,scans,lost_scans,error_mean_m"));
     // 3 scans of 1, 2 and 3 ms; an error of 0.25 +- 0.01 m, 1.5 +- 0.5 deg.
-    EXPECT_EQ(lines[1], "good,1,1,3,0.25,0.01,1.5,0.5,2,3,3,3,2,3,3,1,3,0.006,64,1234567,points,");
-    EXPECT_THAT(lines[2], StartsWith("good,1,2,3,0.5,"));
-    EXPECT_THAT(lines[3], StartsWith("poor,1,,3,4,"));
+    EXPECT_EQ(lines[1], "good,1,1,3,,0.25,0.01,1.5,0.5,2,3,3,3,2,3,3,1,3,0.006,64,1234567,points,");
+    EXPECT_THAT(lines[2], StartsWith("good,1,2,3,,0.5,"));
+    EXPECT_THAT(lines[3], StartsWith("poor,1,,3,7,4,"));
 }
 
 TEST(ComparisonCsv, AFailedRunHasItsReasonInTheLastColumn)
@@ -61,8 +61,9 @@ TEST(ComparisonMarkdown, ShowsTheWorstRunAndTheSpread)
 {
     const auto text = comparison_markdown(comparison_sample());
     EXPECT_THAT(text, HasSubstr("| good | 0.5 ± 0.01 | 0.375 (0.25 – 0.5) |"));
-    EXPECT_THAT(text, HasSubstr("good (0.5 m), poor (4 m)"));
-    EXPECT_THAT(text, HasSubstr("1 234 567 points"));
+    EXPECT_THAT(text, HasSubstr("good (0.5\u00a0m), poor (4\u00a0m)"));
+    EXPECT_THAT(text, HasSubstr("| – | 1 234 567 points"));  // good cannot say that it is lost
+    EXPECT_THAT(text, HasSubstr("| 7 | 1 234 567 points"));
     EXPECT_THAT(text, HasSubstr("| broken | failed: a file <x.ini> is"));
 }
 
@@ -76,6 +77,7 @@ TEST(ComparisonMarkdown, WithoutTruthClaimsNoError)
     EXPECT_THAT(text, HasSubstr("No truth was given"));
     EXPECT_THAT(text, Not(HasSubstr("error, worst run")));
     EXPECT_THAT(text, HasSubstr("differences.svg"));
+    EXPECT_THAT(text, HasSubstr("that of good at most, nearest first: poor (0\u00a0m)."));
 }
 
 TEST(ComparisonMarkdown, NamesVariantsThatFailedNowAndThen)

@@ -49,7 +49,8 @@ struct ComparedRun
     std::vector<float> scan_wall_ms;       ///< of each scan: as a clock on the wall sees it
     double peak_memory_mb = 0;             ///< of the process, until the last scan
     std::uint64_t map_size = 0;
-    std::string map_unit;  ///< "points", "cells"
+    std::string map_unit;                     ///< "points", "cells"
+    std::optional<std::uint64_t> lost_scans;  ///< as the program itself says; none: it cannot say
     std::optional<Accuracy> accuracy;
 
     [[nodiscard]] bool failed() const { return !failure.empty(); }
@@ -91,6 +92,7 @@ struct VariantFigures
     Spread cpu_s;                          ///< of all scans
     Spread wall_p99_ms;
     Spread peak_memory_mb, map_size;
+    std::optional<std::uint64_t> lost_scans;  ///< most in a run
 };
 
 /// Points into the variant's runs.
