@@ -65,6 +65,23 @@ TEST_F(Convert, PosesGoThereAndBack)
     }
 }
 
+TEST_F(Convert, EvalTakesThePosesOfARawlogAsTruth)
+{
+    ASSERT_EQ(run(drive_log()).exit_code, 0);
+    const auto tum = results() + "/trajectory.tum";
+    const auto rawlog = converted(tum, "poses.rawlog");
+    for (const auto& [estimate, reference] : {std::pair(tum, rawlog), std::pair(rawlog, tum)})
+    {
+        const auto result =
+            run_program(RTOB_PROGRAM, {"eval", estimate, reference, "--align", "none", "--json"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const auto json = nlohmann::json::parse(result.out);
+        EXPECT_EQ(json["matched_poses"], 40);
+        EXPECT_LT(json["ate"]["translation_m"]["max"], 1e-9);
+        EXPECT_LT(json["ate"]["rotation_deg"]["max"], 1e-6);  // nine decimals of a quaternion
+    }
+}
+
 TEST_F(Convert, SaysWhatIsWrong)
 {
     const auto no_target = convert({drive_log(), folder_.file("a.txt")});
