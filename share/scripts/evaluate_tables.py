@@ -173,6 +173,9 @@ def summary(measured):
             short(statistics.median(errors)), short(min(errors)), rtob.lost(),
             verdict(max(errors), rivals, "error_mean_m", "m"),
             verdict(rtob.median("cpu_s"), rivals, "cpu_s", "s")])
+    if not rows:
+        yield "No log with a truth was measured yet."
+        return
     yield from table(
         ["log", "seeds", "worst m", "median m", "best m", "scans LOST",
          "more accurate than MRPT's shipped / dense", "less CPU than MRPT's shipped / dense"],
