@@ -170,13 +170,16 @@ TEST_F(Eval, LaysAMapOnAnother)
     expectFailure({estimate, reference_}, "compare a map with a map", 2);
     expectFailure({reference_, estimate}, "compare a map with a map", 2);
     expectFailure({estimate, reference, "--align", "se2"}, "--align: maps", 2);
-    const auto cut = folder_.write("cut.ply", header.substr(0, 30));
-    expectFailure({estimate, cut}, cut);
-    const auto empty = folder_.write(
-        "empty.ply",
-        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
-        "property float y\nproperty float z\nend_header\n");
-    expectFailure({empty, reference}, empty);
+    const auto bad = [&](const std::string& text, const std::string& what) {
+        expectFailure({folder_.write("bad.ply", text), reference}, what);
+    };
+    bad(header.substr(0, 30), "bad.ply, line 3: the file ends here");
+    bad(header + "1 2 0\n", "bad.ply, line 8: the file ends here");
+    bad(header + "1 a 0\n", "bad.ply, line 8: no x and y");
+    bad("ply\nformat binary_little_endian 1.0\nend_header\n", "not in ASCII");
+    bad("ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", "holds no points");
+    bad("ply\nformat ascii 1.0\nelement vertex 1\nproperty float r\nend_header\n1\n",
+        "begin with x and y");
 }
 
 TEST_F(Eval, RefusesFlagsThatMeanNothing)

@@ -10,6 +10,7 @@ namespace rtob
 /// that cannot be read: whoever reads it next says so.
 [[nodiscard]] bool is_ply_file(const std::string& file);
 
-/// The points of a PLY file, seen from above. Throws std::runtime_error naming the file.
+/// The points of a PLY file in ASCII, seen from above. Throws std::runtime_error naming the file
+/// and the line.
 [[nodiscard]] Points read_ply_points(const std::string& file);
 }  // namespace rtob
