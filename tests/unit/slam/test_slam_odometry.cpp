@@ -112,8 +112,8 @@ TEST(SlamOdometry, MaySlipSomeScansLong)
 
 TEST(SlamOdometry, BoundsHowFarASearchMayMoveTheVehicle)
 {
-    // A scan that fits the map well, 1.7 m from where the wheels can have brought the vehicle: it is
-    // believed where nothing else is known, and not against the odometry.
+    // A scan that fits the map well, 1.7 m from where the wheels can have brought the vehicle: it
+    // is believed where nothing else is known, and not against the odometry.
     for (const bool with_odometry : {false, true})
     {
         Slam slam;
