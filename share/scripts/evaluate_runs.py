@@ -71,8 +71,14 @@ def common_flags(log, options):
     flags = ["--repeats", str(options.repeats), "--seeds", str(options.seeds),
              "--time-limit", str(options.time_limit)]
     for variant in log.variants:
-        flags += ["--variant", variant]
+        if variant != "pcl" or has_pcl():
+            flags += ["--variant", variant]
     return flags
+
+
+def has_pcl():
+    """Whether the variant that needs libpcl-dev was built, beside the program."""
+    return (pathlib.Path(PROGRAM).parent / "rtob-compare-pcl").exists()
 
 
 def truth_flags(log):
