@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/map_files.h"
 
-#include <rtob/eval/map_picture.h>
 #include <rtob/io/map_server.h>
 #include <rtob/io/occupancy_raster.h>
 #include <rtob/map/map_export.h>
@@ -47,16 +46,10 @@ double write_occupancy(const std::string& stem, const MapFilesInput& input)
 }
 }  // namespace
 
-double write_map_files(const OutputFolder& folder, const MapFilesInput& input)
+double write_map_data(const OutputFolder& folder, const MapFilesInput& input)
 {
     write_packed_object(folder.file("map.rtob"), input.map);
     save_ply(input.map, folder.file("map.ply"));
-    const double resolution_m = write_occupancy(folder.file("map"), input);
-    MapPictureInput picture;
-    picture.points_map = input.map.points();
-    picture.path = input.path;
-    picture.title = input.title;
-    write_map_picture(folder.file("map.png"), picture);
-    return resolution_m;
+    return write_occupancy(folder.file("map"), input);
 }
 }  // namespace rtob

@@ -18,7 +18,10 @@ struct MapFilesInput
     std::string title;                       ///< of map.png
 };
 
-/// Writes map.rtob, map.ply, map.pgm with map.yaml, and map.png.
+/// Writes map.rtob, map.ply and map.pgm with map.yaml; the path and the title are not needed.
 /// @return the resolution of map.pgm [m]: coarser than asked where it would have got too large.
+double write_map_data(const OutputFolder& folder, const MapFilesInput& input);
+
+/// The same, and map.png.
 double write_map_files(const OutputFolder& folder, const MapFilesInput& input);
 }  // namespace rtob

@@ -2,6 +2,7 @@
 #include "run/offline_run.h"
 
 #include <mrpt/obs/CObservationOdometry.h>
+#include <rtob/io/scan_timing.h>
 
 namespace rtob
 {
@@ -24,6 +25,8 @@ class LogFeed
     {
         if (entry.motion)
             takeMotion(*entry.motion);
+        else if (wasDropped(*entry.observation))
+            return;
         else if (
             const auto* scan =
                 dynamic_cast<const CObservation2DRangeScan*>(entry.observation.get()))
@@ -34,6 +37,15 @@ class LogFeed
 
  private:
     [[nodiscard]] bool skipping() const { return run_.scans_skipped < limits_.skip_scans; }
+
+    /// What a live program had no time for, it did not use: nor does a replay.
+    [[nodiscard]] bool wasDropped(const mrpt::obs::CObservation& observation)
+    {
+        const bool next_was_dropped = next_was_dropped_;
+        next_was_dropped_ = is_dropped_record(observation);
+        run_.dropped_live += next_was_dropped_;
+        return next_was_dropped || next_was_dropped_;
+    }
 
     void takeMotion(const mrpt::obs::CActionRobotMovement2D& motion)
     {
@@ -71,6 +83,7 @@ class LogFeed
     const RunLimits& limits_;
     const ScanDone& done_;
     OfflineRun& run_;
+    bool next_was_dropped_ = false;
 };
 }  // namespace
 

@@ -33,6 +33,7 @@ struct OfflineRun
     RunEnd end = RunEnd::LogEnd;
     std::string damage;  ///< the reader's message after DamagedLog
     std::uint64_t scans = 0, scans_skipped = 0, scans_of_other_lasers = 0, other_observations = 0;
+    std::uint64_t dropped_live = 0;      ///< by the live program that wrote the log
     std::set<std::string> other_labels;  ///< of lasers that were not chosen; a few
 };
 

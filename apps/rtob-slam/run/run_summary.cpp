@@ -100,6 +100,7 @@ Json groups_of(const RunSummary& summary)
     groups["input"] = input_json(summary);
     groups["scans"] = scans_json(summary.counters);
     groups["scans"]["of_other_lasers"] = summary.run.scans_of_other_lasers;
+    groups["scans"]["dropped_live"] = summary.run.dropped_live;
     groups["states"] = states_json(summary);
     groups["beams"] = beams_json(summary.counters.beams());
     groups["stamps"] = {
