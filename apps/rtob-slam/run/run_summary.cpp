@@ -2,7 +2,7 @@
 #include "run/run_summary.h"
 
 #include <rtob/core/enum_names.h>
-#include <rtob/eval/spread.h>
+#include <rtob/core/spread.h>
 
 #include <algorithm>
 #include <cstdio>

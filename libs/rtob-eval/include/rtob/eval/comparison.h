@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <rtob/core/pose2.h>
+#include <rtob/core/spread.h>
 #include <rtob/eval/relations.h>
-#include <rtob/eval/spread.h>
 
 #include <cstddef>
 #include <cstdint>

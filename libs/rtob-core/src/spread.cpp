@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <rtob/eval/spread.h>
+#include <rtob/core/spread.h>
 
 #include <algorithm>
 #include <cmath>

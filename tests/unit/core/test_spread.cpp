@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <rtob/eval/spread.h>
+#include <rtob/core/spread.h>
 
 namespace rtob::test
 {
