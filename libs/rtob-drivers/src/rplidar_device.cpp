@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/drivers/rplidar_device.h>
+#include <rtob/drivers/unix_time.h>
 
 #include <algorithm>
 #include <thread>
@@ -9,7 +10,6 @@ namespace rtob
 namespace
 {
 using std::chrono::milliseconds;
-using WallClock = std::chrono::system_clock;
 
 constexpr milliseconds kReplyPatience{400};
 /// Some devices spin up before they answer the request for a scan.
@@ -17,11 +17,6 @@ constexpr milliseconds kScanPatience{2000};
 constexpr milliseconds kPauseAfterStop{20};
 constexpr milliseconds kPauseAfterReset{1000};
 constexpr double kBitsPerByte = 10;  // 8N1
-
-double now_s()
-{
-    return std::chrono::duration<double>(WallClock::now().time_since_epoch()).count();
-}
 
 std::string lower(std::string text)
 {
@@ -255,6 +250,7 @@ void RplidarDevice::send(RplidarCommand command, const Bytes& payload)
 
 void RplidarDevice::receive(milliseconds timeout)
 {
-    if (const Bytes bytes = port_->read(timeout); !bytes.empty()) parser_.push(bytes, now_s());
+    if (const Bytes bytes = port_->read(timeout); !bytes.empty())
+        parser_.push(bytes, unix_time_s());
 }
 }  // namespace rtob
