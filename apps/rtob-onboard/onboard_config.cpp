@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "onboard_config.h"
+
+#include <rtob/core/option_checks.h>
+#include <rtob/drivers/register_drivers.h>
+#include <rtob/map/options_io.h>
+
+#include <algorithm>
+
+namespace rtob
+{
+namespace
+{
+template <class Visit>
+void visit_sections(OnboardConfig& config, Visit&& visit)
+{
+    RunConfig::sections(config.run, visit);
+    OnboardConfig::sections(config, visit);
+}
+
+std::vector<std::string> own_sections()
+{
+    std::vector<std::string> names{"global"};  // rawlog-grabber's, which is not looked at
+    OnboardConfig config;
+    visit_sections(config, [&](const char* name, const auto&) { names.emplace_back(name); });
+    return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+double number_of(
+    const mrpt::config::CConfigFileBase& ini, const std::string& section, const char* key,
+    double otherwise)
+{
+    if (!ini.keyExists(section, key)) return otherwise;
+    double value = 0;
+    try
+    {
+        parse_option(config_value(ini, section, key), value);
+        require(value >= 0, key, value, ">= 0");
+    }
+    catch (const std::invalid_argument& error)
+    {
+        throw std::runtime_error(
+            config_name(ini) + ", section [" + section + "], key " + key + ": " + error.what());
+    }
+    return value;
+}
+
+SensorSection sensor_of(const mrpt::config::CConfigFileBase& ini, const std::string& section)
+{
+    SensorSection sensor;
+    sensor.name = section;
+    sensor.driver = config_value(ini, section, "driver");
+    sensor.sweep_s = number_of(ini, section, "sweep_s", 0);
+    sensor.restart_after_s = number_of(ini, section, "restart_after_s", 0);
+    const std::string where = config_name(ini) + ", section [" + section + "], ";
+    if (!ini.keyExists(section, "process_rate"))
+        throw std::runtime_error(
+            where + "key process_rate is missing: how often the sensor is asked [Hz], e.g. 50");
+    if (number_of(ini, section, "process_rate", 0) <= 0)
+        throw std::runtime_error(where + "key process_rate: must be > 0");
+    static_cast<void>(create_sensor(sensor.driver, where));  // is there such a driver?
+    return sensor;
+}
+
+bool is_ignored(const mrpt::config::CConfigFileBase& ini, const std::string& section)
+{
+    bool ignored = false;
+    if (ini.keyExists(section, "rawlog-grabber-ignore"))
+        parse_option(config_value(ini, section, "rawlog-grabber-ignore"), ignored);
+    return ignored;
+}
+}  // namespace
+
+void OnboardOptions::validate() const
+{
+    require(!output_folder.empty(), "output_folder", output_folder, "a folder");
+    require(
+        max_waiting_scans >= 1 && max_waiting_scans <= 100, "max_waiting_scans", max_waiting_scans,
+        "1 to 100");
+    require(status_period_s >= 0, "status_period_s", status_period_s, ">= 0");
+}
+
+void CaptureOptions::validate() const
+{
+    require(flush_s >= 0.05 && flush_s <= 10, "flush_s", flush_s, "0.05 to 10");
+    require(rotate_mb >= 1, "rotate_mb", rotate_mb, ">= 1");
+}
+
+void StateStreamOptions::validate() const
+{
+    require(udp_port <= 65535, "udp_port", udp_port, "0 to 65535");
+    require(tcp_port <= 65535, "tcp_port", tcp_port, "0 to 65535");
+}
+
+OnboardConfig load_onboard_config(const mrpt::config::CConfigFileBase& ini)
+{
+    OnboardConfig config;
+    std::vector<std::string> names;
+    ini.getAllSections(names);
+    auto known = own_sections();
+    for (const auto& name : names)
+        if (!contains(known, name) && ini.keyExists(name, "driver"))
+        {
+            known.push_back(name);
+            if (!is_ignored(ini, name)) config.sensors.push_back(sensor_of(ini, name));
+        }
+    check_sections(ini, known);
+    visit_sections(
+        config,
+        [&](const char* name, auto& options)
+        {
+            if (ini.sectionExists(name)) load_options(ini, name, options);
+        });
+    config.run.slam.seed = config.run.run.seed;
+    if (config.sensors.empty())
+        throw std::runtime_error(
+            config_name(ini) +
+            ": no sensor. Add a section with a key `driver`, e.g. driver = RtobRplidar.");
+    return config;
+}
+}  // namespace rtob

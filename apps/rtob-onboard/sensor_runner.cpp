@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sensor_runner.h"
+
+#include <mrpt/core/exceptions.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/system/COutputLogger.h>
+#include <rtob/drivers/back_off.h>
+#include <rtob/drivers/register_drivers.h>
+#include <rtob/drivers/sensor_status.h>
+#include <rtob/io/scan_timing.h>
+
+#include <stdexcept>
+#include <thread>
+
+namespace rtob
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+using mrpt::hwdrivers::CGenericSensor;
+
+constexpr std::chrono::milliseconds kSensorStep{20};
+
+/// MRPT's configuration objects are not made for several readers at once.
+std::mutex& configuration_mutex()
+{
+    static std::mutex mutex;
+    return mutex;
+}
+}  // namespace
+
+std::string plain_message(const std::exception& error)
+{
+    std::string text = error.what();
+    if (const auto* mrpt_error = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&error))
+        text = mrpt_error->originalWhat;
+    const auto end = text.find('\n');
+    return end == std::string::npos ? text : text.substr(0, end);
+}
+
+std::shared_ptr<SensorRunner> SensorRunner::start(
+    const mrpt::config::CConfigFileBase& ini, const SensorSection& section, Sink sink)
+{
+    const std::shared_ptr<SensorRunner> runner(new SensorRunner(ini, section, std::move(sink)));
+    // The thread keeps its runner: a driver that hangs for ever must not lose its ground.
+    std::thread([runner] { runner->live(); }).detach();
+    return runner;
+}
+
+SensorRunner::SensorRunner(
+    const mrpt::config::CConfigFileBase& ini, SensorSection section, Sink sink)
+    : ini_(ini), section_(std::move(section)), sink_(std::move(sink))
+{
+    report_.name = section_.name;
+    report_.driver = section_.driver;
+}
+
+bool SensorRunner::waitForEnd(std::chrono::milliseconds patience) const
+{
+    const auto end = Clock::now() + patience;
+    while (!has_ended_ && Clock::now() < end) std::this_thread::sleep_for(kSensorStep);
+    return has_ended_;
+}
+
+SensorReport SensorRunner::report() const
+{
+    const std::lock_guard lock(mutex_);
+    return report_;
+}
+
+void SensorRunner::live()
+{
+    BackOff back_off;
+    while (!ends_)
+    {
+        const auto observations_before = report().observations;
+        try
+        {
+            serve();
+        }
+        catch (const std::exception& error)
+        {
+            const std::lock_guard lock(mutex_);
+            report_.is_working = false;
+            report_.problem = plain_message(error);
+            ++report_.restarts;
+        }
+        if (report().observations > observations_before) back_off.succeeded();
+        back_off.failed(Clock::now());
+        pause(back_off.untilNext(Clock::now()));
+    }
+    has_ended_ = true;
+}
+
+/// Until the end, or an exception.
+void SensorRunner::serve()
+{
+    const auto sensor = create_sensor(section_.driver, "section " + section_.name + ", ");
+    if (auto* logger = dynamic_cast<mrpt::system::COutputLogger*>(sensor.get()))
+        logger->logging_enable_console_output = false;  // the reports say it
+    {
+        const std::lock_guard lock(configuration_mutex());
+        sensor->loadConfig(ini_, section_.name);
+    }
+    sensor->initialize();
+    last_observation_ = Clock::now();
+    const std::chrono::duration<double> period(1 / std::max(0.1, sensor->getProcessRate()));
+    while (!ends_)
+    {
+        const auto begin = Clock::now();
+        sensor->doProcess();
+        pass(*sensor);
+        noteState(*sensor);
+        const auto next = begin + std::chrono::duration_cast<Clock::duration>(period);
+        if (const auto now = Clock::now(); now < next) pause(next - now);
+    }
+}
+
+void SensorRunner::pass(CGenericSensor& sensor)
+{
+    for (const auto& [stamp, object] : sensor.getObservations())
+    {
+        auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
+        if (!observation) continue;
+        if (const auto* scan =
+                dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(observation.get());
+            scan != nullptr && section_.sweep_s > 0)
+            sink_(timing_record(*scan, {section_.sweep_s}));
+        sink_(std::move(observation));
+        last_observation_ = Clock::now();
+        const std::lock_guard lock(mutex_);
+        ++report_.observations;
+    }
+}
+
+/// Throws where the sensor has to be started anew.
+void SensorRunner::noteState(const CGenericSensor& sensor)
+{
+    if (const auto* own = dynamic_cast<const TellsStatus*>(&sensor))
+    {
+        const auto status = own->status();  // it looks after itself
+        const std::lock_guard lock(mutex_);
+        report_.is_working = status.is_connected;
+        report_.device = status.device;
+        report_.problem = status.problem;
+        report_.restarts = status.reconnects;
+        return;
+    }
+    if (sensor.getState() == CGenericSensor::ssError)
+        throw std::runtime_error("the driver reports an error");
+    const std::chrono::duration<double> silence = Clock::now() - last_observation_;
+    if (section_.restart_after_s > 0 && silence.count() > section_.restart_after_s)
+        throw std::runtime_error("silent for longer than restart_after_s");
+    const std::lock_guard lock(mutex_);
+    report_.is_working = sensor.getState() == CGenericSensor::ssWorking;
+    if (report_.is_working) report_.problem.clear();
+}
+
+void SensorRunner::pause(Clock::duration duration) const
+{
+    const auto end = Clock::now() + duration;
+    while (!ends_ && Clock::now() < end)
+        std::this_thread::sleep_for(std::min<Clock::duration>(kSensorStep, end - Clock::now()));
+}
+}  // namespace rtob

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/hwdrivers/CGenericSensor.h>
+#include <mrpt/obs/CObservation.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "onboard_config.h"
+
+namespace rtob
+{
+/// How a sensor has been doing.
+struct SensorReport
+{
+    std::string name, driver, device;
+    bool is_working = false;
+    std::string problem;  ///< the last one; empty while all is well
+    std::uint64_t observations = 0, restarts = 0;
+};
+
+/// Drives one sensor in a thread of its own: starts it, asks it, and starts it anew after a pause
+/// when it fails or falls silent. The others never notice.
+class SensorRunner : public std::enable_shared_from_this<SensorRunner>
+{
+ public:
+    using Sink = std::function<void(mrpt::obs::CObservation::Ptr)>;
+
+    /// @param ini outlives this object
+    [[nodiscard]] static std::shared_ptr<SensorRunner> start(
+        const mrpt::config::CConfigFileBase& ini, const SensorSection& section, Sink sink);
+
+    void askToEnd() { ends_ = true; }
+    /// Whether it has ended; a driver that hangs in its hardware may not within this time.
+    [[nodiscard]] bool waitForEnd(std::chrono::milliseconds patience) const;
+
+    [[nodiscard]] SensorReport report() const;
+
+ private:
+    SensorRunner(const mrpt::config::CConfigFileBase& ini, SensorSection section, Sink sink);
+
+    void live();
+    void serve();
+    void pass(mrpt::hwdrivers::CGenericSensor& sensor);
+    void noteState(const mrpt::hwdrivers::CGenericSensor& sensor);
+    void pause(std::chrono::steady_clock::duration duration) const;
+
+    const mrpt::config::CConfigFileBase& ini_;
+    SensorSection section_;
+    Sink sink_;
+    std::chrono::steady_clock::time_point last_observation_{};
+    std::atomic<bool> ends_{false}, has_ended_{false};
+    mutable std::mutex mutex_;
+    SensorReport report_;
+};
+
+/// What went wrong, without MRPT's call stacks.
+[[nodiscard]] std::string plain_message(const std::exception& error);
+}  // namespace rtob
