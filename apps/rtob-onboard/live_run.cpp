@@ -53,7 +53,12 @@ class LiveRun
           queue_(
               static_cast<std::size_t>(config.onboard.max_waiting_scans), kMostObservations,
               [this](const QueuedObservation& item) { capture_.add(item); }),
-          autopilot_(config.autopilot, [this](auto observation) { queue_.push(observation); }),
+          autopilot_(
+              config.autopilot,
+              [this](auto observation)
+              {
+                  if (!ends_) queue_.push(observation);  // or the queue would never be empty
+              }),
           localising_([this] { localise(); })
     {
         for (const auto& section : config.sensors)
@@ -175,9 +180,9 @@ class LiveRun
     LiveSummary summary_;
     TrackingState told_state_ = TrackingState::Init;
     std::map<std::string, std::string> known_problems_, known_devices_;
+    std::atomic<bool> ends_{false};
     ObservationQueue queue_;
     AutopilotThread autopilot_;
-    std::atomic<bool> ends_{false};
     std::thread localising_;
     std::vector<std::shared_ptr<SensorRunner>> sensors_;
 };
