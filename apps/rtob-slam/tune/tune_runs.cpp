@@ -2,7 +2,7 @@
 #include "tune/tune_runs.h"
 
 #include <mrpt/obs/CObservationOdometry.h>
-#include <rtob/eval/spread.h>
+#include <rtob/core/spread.h>
 #include <rtob/eval/trajectory_score.h>
 #include <rtob/io/pose_file.h>
 #include <rtob/slam/slam.h>
