@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <gtest/gtest.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <rtob/io/log_reader.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "onboard_flight.h"
+
+namespace rtob::test
+{
+/// What a capture holds, up to its damage.
+struct CaptureContents
+{
+    std::vector<double> scans, poses;  ///< stamps
+    std::vector<Pose2> pose_map_vehicle;
+    std::size_t attitudes = 0;
+    std::string damage;
+};
+
+inline CaptureContents read_capture(const std::string& file)
+{
+    CaptureContents contents;
+    const auto log = open_log(file);
+    try
+    {
+        while (const auto entry = log->next())
+        {
+            const auto& observation = *entry->observation;
+            const double stamp_s = mrpt::Clock::toDouble(observation.timestamp);
+            if (dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation) != nullptr)
+                contents.scans.push_back(stamp_s);
+            if (const auto* pose =
+                    dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation))
+            {
+                contents.poses.push_back(stamp_s);
+                contents.pose_map_vehicle.push_back(
+                    {pose->pose.mean.x(), pose->pose.mean.y(), pose->pose.mean.yaw()});
+            }
+            contents.attitudes += observation.sensorLabel == "AUTOPILOT.attitude";
+        }
+    }
+    catch (const LogError& error)
+    {
+        contents.damage = error.what();
+    }
+    return contents;
+}
+
+/// Of the captured poses against the flight, both seen from the first of them.
+inline double rms_error_m(const CaptureContents& capture, double takeoff_s)
+{
+    const Pose2 start = flight_pose(capture.poses[0] - takeoff_s);
+    double sum_m2 = 0;
+    for (std::size_t i = 0; i < capture.poses.size(); ++i)
+    {
+        const Pose2 truth = between(start, flight_pose(capture.poses[i] - takeoff_s));
+        sum_m2 += std::pow(capture.pose_map_vehicle[i].x - truth.x, 2) +
+                  std::pow(capture.pose_map_vehicle[i].y - truth.y, 2);
+    }
+    const double rms_m = std::sqrt(sum_m2 / static_cast<double>(capture.poses.size()));
+    std::cout << capture.poses.size() << " poses, error " << rms_m << " m RMS\n";
+    return rms_m;
+}
+
+inline nlohmann::json summary_of(const std::string& flight)
+{
+    return nlohmann::json::parse(file_content(flight + "/summary.json"));
+}
+
+class Onboard : public testing::Test, public FlightFixture
+{
+ protected:
+    [[nodiscard]] std::string logged(const std::string& flight) const
+    {
+        return flight + "/capture_000.rawlog";
+    }
+};
+
+}  // namespace rtob::test

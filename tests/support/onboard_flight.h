@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <arpa/inet.h>
+#include <rtob/devices/rplidar_on_terminal.h>
+#include <rtob/drivers/byte_link.h>
+#include <rtob/drivers/mavlink_codec.h>
+#include <rtob/drivers/unix_time.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "house.h"
+#include "program.h"
+
+/// A flight without hardware: an emulated laser that moves through a house, an emulated autopilot,
+/// and rtob-onboard between them. RTOB_ONBOARD names the program.
+namespace rtob::test
+{
+inline void wait_s(double seconds)
+{
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/// How often a long test repeats what a short one does a few times.
+[[nodiscard]] inline int times_of(const char* variable, int otherwise)
+{
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::atoi(text) : otherwise;
+}
+
+/// The figure of eight through both rooms, a lap in 80 s: about 0.25 m/s.
+[[nodiscard]] inline Pose2 flight_pose(double seconds)
+{
+    const double a = 2 * 3.14159265358979323846 * seconds / 80;
+    return {
+        6 + 4 * std::cos(a), 3 + 1.5 * std::sin(2 * a),
+        std::atan2(3 * std::cos(2 * a), -4 * std::sin(a))};
+}
+
+/// What the laser sees at any moment; it sits in the vehicle's middle.
+[[nodiscard]] inline devices::RangeSource house_from(double takeoff_s)
+{
+    return [world = house(), takeoff_s](double bearing_rad, double time_s)
+    {
+        const Pose2 pose = flight_pose(time_s - takeoff_s);
+        return world.range(pose.x, pose.y, pose.yaw + bearing_rad);
+    };
+}
+
+/// A flight controller on a UDP port: it beats, tells its attitude, answers questions for the time,
+/// and keeps the poses that it is told.
+class EmulatedAutopilot
+{
+ public:
+    EmulatedAutopilot()
+        : port_(freePort()),
+          link_(open_link("udpin:127.0.0.1:" + std::to_string(port_), 0)),
+          thread_([this] { live(); })
+    {
+    }
+    ~EmulatedAutopilot()
+    {
+        ends_ = true;
+        thread_.join();
+    }
+
+    [[nodiscard]] int port() const { return port_; }
+    [[nodiscard]] std::vector<mavlink::Odometry> poses() const
+    {
+        const std::lock_guard lock(mutex_);
+        return poses_;
+    }
+    [[nodiscard]] std::vector<std::string> texts() const
+    {
+        const std::lock_guard lock(mutex_);
+        return texts_;
+    }
+    [[nodiscard]] std::size_t heartbeats() const { return heartbeats_; }
+
+ private:
+    static int freePort()
+    {
+        const int probe = socket(AF_INET, SOCK_DGRAM, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        bind(probe, reinterpret_cast<sockaddr*>(&address), size);
+        getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
+        close(probe);
+        return ntohs(address.sin_port);
+    }
+
+    void live()
+    {
+        MavlinkReader reader;
+        while (!ends_)
+        {
+            reader.push(link_->read(std::chrono::milliseconds(20)));
+            while (const auto frame = reader.take()) take(*frame);
+            mavlink::Attitude attitude;
+            attitude.time_boot_ms = static_cast<std::uint32_t>(1000 * sinceBoot());
+            link_->write(sender_.encode(attitude));
+            link_->write(sender_.encode(mavlink::Heartbeat()));
+        }
+    }
+
+    void take(const MavlinkFrame& frame)
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto pose = mavlink::message_of<mavlink::Odometry>(frame))
+            poses_.push_back(*pose);
+        if (const auto text = mavlink::message_of<mavlink::Statustext>(frame))
+            texts_.emplace_back(text->text.data(), strnlen(text->text.data(), 50));
+        heartbeats_ += frame.id == mavlink::Heartbeat::id;
+        const auto sync = mavlink::message_of<mavlink::Timesync>(frame);
+        if (sync && sync->tc1 == 0)
+            link_->write(sender_.encode(
+                mavlink::Timesync{std::llround(1e9 * sinceBoot()), sync->ts1, 0, 0}));
+    }
+    [[nodiscard]] double sinceBoot() const { return unix_time_s() - boot_s_; }
+
+    double boot_s_ = unix_time_s() - 1000;
+    int port_;
+    std::unique_ptr<ByteLink> link_;
+    mavlink::Sender sender_{1, 1, 0};
+    mutable std::mutex mutex_;
+    std::vector<mavlink::Odometry> poses_;
+    std::vector<std::string> texts_;
+    std::atomic<std::size_t> heartbeats_{0};
+    std::atomic<bool> ends_{false};
+    std::thread thread_;
+};
+
+/// A folder with a configuration for an RPLidar at `laserPort()`.
+class FlightFixture
+{
+ public:
+    [[nodiscard]] std::string laserPort() const { return folder_.file("ttyLaser"); }
+    [[nodiscard]] std::string write(const std::string& more = "") const
+    {
+        return folder_.write(
+            "onboard.ini", "[Onboard]\noutput_folder = " + folder_.file("flights") +
+                               "\n[Laser]\ndriver = RtobRplidar\nprocess_rate = 200\n"
+                               "sensorLabel = LASER\nCOM_port_LIN = " +
+                               laserPort() + "\n" + more);
+    }
+    /// The folders of the flights so far, in order.
+    [[nodiscard]] std::vector<std::string> flights() const
+    {
+        std::vector<std::string> folders;
+        std::error_code none_yet;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(folder_.file("flights"), none_yet))
+            folders.push_back(entry.path());
+        std::sort(folders.begin(), folders.end());
+        return folders;
+    }
+    /// Until a flight has captured something, or for 20 s.
+    void waitForCapture(std::size_t bytes = 1) const
+    {
+        for (const double end = unix_time_s() + 20; unix_time_s() < end; wait_s(0.02))
+        {
+            if (flights().empty()) continue;
+            std::error_code none_yet;
+            const auto size =
+                std::filesystem::file_size(flights().back() + "/capture_000.rawlog", none_yet);
+            if (!none_yet && size >= bytes) return;
+        }
+    }
+
+    TemporaryFolder folder_;
+};
+}  // namespace rtob::test
