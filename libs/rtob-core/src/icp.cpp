@@ -59,7 +59,7 @@ IcpResult Icp::align(
     const PointsView& scan, const PointsView& reference, const CorrectionPrior& prior)
 {
     prepare(reference, own_reference_);
-    return align(scan, own_reference_, {}, prior);
+    return align(scan, own_reference_, Eigen::Vector2d::Zero(), prior);
 }
 
 IcpResult Icp::align(
