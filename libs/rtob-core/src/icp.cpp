@@ -2,6 +2,7 @@
 #include <rtob/core/icp.h>
 #include <rtob/core/option_checks.h>
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,18 @@ constexpr double kKnownReach = 3;
 constexpr double kAlongLine = 0.02;
 // Range noise and the points' own spread: no covariance is better than this allows.
 constexpr double kMinVariance = 0.01 * 0.01;
+
+/// What holds the direction, of the two of translation, that the pairs leave open: the start pulls
+/// along it with what the pairs lack of the share asked for.
+Eigen::Matrix2d hold_of_weak_direction(const Eigen::Matrix3d& information, double weak_share)
+{
+    const Eigen::Matrix2d of_translation = information.topLeftCorner<2, 2>();
+    const double wanted = weak_share * of_translation.trace();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> directions;
+    directions.computeDirect(of_translation);  // the least comes first
+    const Eigen::Vector2d weakest = directions.eigenvectors().col(0);
+    return std::max(0.0, wanted - directions.eigenvalues()(0)) * weakest * weakest.transpose();
+}
 }  // namespace
 
 void IcpOptions::validate() const
@@ -32,6 +45,7 @@ void IcpOptions::validate() const
     require(
         line_radius_m > 0 && line_radius_m <= max_pair_distance_m, "line_radius_m", line_radius_m,
         "> 0 and at most max_pair_distance_m");
+    require(weak_share >= 0 && weak_share <= 0.5, "weak_share", weak_share, "in [0, 0.5]");
     require(cell_points >= 0, "cell_points", cell_points, ">= 0");
     require(stop_step_m >= 0, "stop_step_m", stop_step_m, ">= 0");
 }
@@ -113,15 +127,17 @@ double Icp::pairDistance(int iteration) const
 }
 
 /// Point to point in closed form (2.1.3); anything else by one Gauss-Newton step, in which pairs
-/// pull across their line, or both ways where there is none.
+/// pull across their line, or both ways where there is none. Along a corridor the pairs say next to
+/// nothing, but a few wrong ones would carry the pose away: there the start holds it.
 Pose2 Icp::fit(const Pose2& pose, const Pose2& start, const CorrectionPrior& prior) const
 {
     if (options_.metric == IcpMetric::PointToPoint && prior.information.isZero(0))
         return compose(pairs_.rigidMotion(), pose);
     const auto [h, g] = pairs_.normalEquations(pose.x, pose.y, kAlongLine);
     const Eigen::Vector3d correction(pose.x - start.x, pose.y - start.y, pose.yaw);
-    const Eigen::Vector3d pull = g + prior.information * correction;
-    const Eigen::Vector3d step = (h + prior.information).ldlt().solve(-pull);
+    Eigen::Matrix3d held = prior.information;
+    held.topLeftCorner<2, 2>() += hold_of_weak_direction(h, options_.weak_share);
+    const Eigen::Vector3d step = (h + held).ldlt().solve(-(g + held * correction));
     if (!step.allFinite()) return pose;
     return {pose.x + step(0), pose.y + step(1), pose.yaw + step(2)};
 }

@@ -203,7 +203,9 @@ TEST(Icp, APriorHoldsTheDirectionThatTheWallsLeaveOpen)
     // The guess is off by 0.02 m along the corridor, less than half the points' step, and 0.1 m
     // across: left alone, the points pull both to 0.
     const Points reference = corridor(0), scan = test::moved(reference, {0.02, 0.1, 0});
-    const auto free = Icp(line_options()).align(scan.view(), reference.view());
+    IcpOptions unheld = line_options();
+    unheld.weak_share = 0;
+    const auto free = Icp(unheld).align(scan.view(), reference.view());
     EXPECT_THAT(free.correction, IsNearPose(Pose2{-0.02, -0.1, 0}, 2e-3, 1e-3));
     CorrectionPrior prior;
     prior.information(0, 0) = 1e3;
@@ -214,6 +216,43 @@ TEST(Icp, APriorHoldsTheDirectionThatTheWallsLeaveOpen)
         // 402 points pull along with at most 1 each, the prior with 1000.
         EXPECT_LT(std::abs(held.correction.x), 0.02 * 402 / 1402.0 + 1e-3);
     }
+}
+
+TEST(Icp, TheGuessHoldsTheDirectionThatTheWallsLeaveOpen)
+{
+    // A corridor in any direction, and a few points of someone who has walked on by 0.15 m since.
+    for (const double direction_rad : {0.0, 0.6, -1.4})
+    {
+        Points reference = corridor(0), scan = corridor(0);
+        for (int i = 0; i < 8; ++i)
+        {
+            const float y = 0.05f * static_cast<float>(i - 4);
+            reference.add(1.0f, y);
+            scan.add(1.15f, y);
+        }
+        reference = test::moved(reference, {0, 0, direction_rad});
+        scan = test::moved(scan, {0, 0, direction_rad});
+        const auto along_m = [&](double weak_share)
+        {
+            IcpOptions options = line_options();
+            options.weak_share = weak_share;
+            const auto fit = Icp(options).align(scan.view(), reference.view());
+            return std::cos(direction_rad) * fit.correction.x +
+                   std::sin(direction_rad) * fit.correction.y;
+        };
+        EXPECT_LT(along_m(0), -0.1);
+        EXPECT_NEAR(along_m(0.1), 0, 0.05);
+    }
+}
+
+TEST(Icp, ARoomNeedsNoHold)
+{
+    const auto m = room_matching();
+    IcpOptions unheld = line_options();
+    unheld.weak_share = 0;
+    const auto held = Icp(line_options()).align(m.scan.view(), m.reference.view());
+    const auto free = Icp(unheld).align(m.scan.view(), m.reference.view());
+    EXPECT_THAT(held.correction, IsNearPose(free.correction, 1e-12, 1e-12));
 }
 
 TEST(IcpOptions, RefusesWhatIsOutOfRange)
@@ -231,4 +270,5 @@ TEST(IcpOptions, RefusesWhatIsOutOfRange)
     refused([](auto& o) { o.kernel_scale_m = 0; });
     refused([](auto& o) { o.line_radius_m = 0.31; });
     refused([](auto& o) { o.stop_step_m = -1; });
+    refused([](auto& o) { o.weak_share = 0.51; });
 }

@@ -116,7 +116,9 @@ TEST(SlamOdometry, BoundsHowFarASearchMayMoveTheVehicle)
     // is believed where nothing else is known, and not against the odometry.
     for (const bool with_odometry : {false, true})
     {
-        Slam slam;
+        SlamOptions options;
+        options.search.half_width_m = 2;
+        Slam slam(options);
         for (int k = 0; k < 20; ++k)
         {
             if (with_odometry) slam.observe(*test::odometry_on_circle(k));

@@ -34,6 +34,7 @@ struct IcpOptions
     RobustKernel kernel = RobustKernel::Tukey;
     double kernel_scale_m = 0.20;
     double line_radius_m = 0.30;
+    double weak_share = 0.10;
     int cell_points = 6;
     double stop_step_m = 0.0005;
 
@@ -57,6 +58,10 @@ struct IcpOptions
             "line_radius_m", s.line_radius_m,
             "reference points within this of a point make its line; > 0, at most "
             "max_pair_distance_m");
+        visit(
+            "weak_share", s.weak_share,
+            "point to line: the guess holds the direction along which less than this share of the "
+            "pairs pulls, as along a corridor; 0: never; [0, 0.5]");
         visit(
             "cell_points", s.cell_points,
             "reference points kept in each cell of an eighth of max_pair_distance_m, the oldest "
