@@ -3,6 +3,7 @@
 #include <rtob/core/option_checks.h>
 #include <rtob/slam/prealignment.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,9 @@ namespace rtob
 namespace
 {
 constexpr double kLongestStep_s = 1.0;  // a velocity is not carried on for longer
+// Of the usual step: what is believed of one, and what one may add to the mean.
+constexpr double kShortestStep = 0.5, kLongestStep = 2, kOutlierStep = 3;
+constexpr double kStepMemory = 0.05;  // the mean forgets within some twenty scans
 
 bool is_finite(const Pose2& pose)
 {
@@ -44,11 +48,29 @@ void Prealignment::addMotion(const Pose2& pose_prev_now)
     if (is_finite(pose_prev_now)) addOdometry(compose(*odometry_now_, pose_prev_now));
 }
 
-/// Stamps of real logs repeat, step back and jump: then the step is taken to be as long as usual.
+/// Stamps of real logs jitter, repeat, step back and jump. A velocity over a step that is a
+/// hundredth of the true one would throw the next guess metres off, so what is far from usual is
+/// not believed.
 double Prealignment::stepTo(double stamp_s) const
 {
     const double step_s = stamp_s - time_s_;
-    return step_s > 0 && step_s <= kLongestStep_s ? step_s : usual_step_s_;
+    if (!(step_s > 0 && step_s <= kLongestStep_s)) return usual_step_s_;
+    if (!(usual_step_s_ > 0)) return step_s;
+    return std::clamp(step_s, kShortestStep * usual_step_s_, kLongestStep * usual_step_s_);
+}
+
+/// The time goes on with the stamps; where they step back a little, by the usual step.
+void Prealignment::advanceTime(double stamp_s)
+{
+    const double step_s = stamp_s - time_s_;
+    const bool goes_on = std::abs(step_s) <= kLongestStep_s;
+    const double believed_s = goes_on && step_s > 0 ? step_s : usual_step_s_;
+    time_s_ = goes_on ? time_s_ + believed_s : stamp_s;
+    if (!(usual_step_s_ > 0))
+        usual_step_s_ = goes_on ? believed_s : 0;
+    else
+        usual_step_s_ +=
+            kStepMemory * (std::min(believed_s, kOutlierStep * usual_step_s_) - usual_step_s_);
 }
 
 Pose2 Prealignment::carriedOn(double step_s) const
@@ -73,9 +95,7 @@ void Prealignment::settle(double stamp_s, const Pose2& pose_map_vehicle, bool ma
     const double step_s = stepTo(stamp_s);
     const bool is_pause = stamp_s - time_s_ > kLongestStep_s;
     velocity_ = started_ && matched && !is_pause ? velocityOver(step_s, pose_map_vehicle) : Pose2{};
-    usual_step_s_ = step_s;
-    const bool goes_on = std::abs(stamp_s - time_s_) <= kLongestStep_s;
-    time_s_ = goes_on ? time_s_ + step_s : stamp_s;
+    advanceTime(stamp_s);
     pose_map_last_ = pose_map_vehicle;
     started_ = true;
     odometry_at_last_ = odometry_now_;

@@ -79,6 +79,25 @@ TEST(Prealignment, AStampThatStepsBackAndForthChangesNoStep)
     }
 }
 
+TEST(Prealignment, StampsThatJitterThrowNoGuessAway)
+{
+    // Ten scans a second, which a loaded computer stamped in bursts. The slow turn over a
+    // thousandth of a second would be one of 5 rad/s.
+    auto prealignment = driving(PrealignSource::ConstantVelocity);
+    const Pose2 step{0.004, 0, 0.005};
+    Pose2 pose = pose_map_last;
+    for (const double stamp_s : {10.2, 10.299, 10.300, 10.301, 10.502, 10.503, 10.701})
+    {
+        pose = compose(pose, step);
+        if (stamp_s > 10.25)  // the turn of driving() has left the velocity
+        {
+            // At most twice the usual step, over at least half of it.
+            EXPECT_THAT(prealignment.predict(stamp_s), IsNearPose(pose, 0.0125, 0.0155)) << stamp_s;
+        }
+        prealignment.settle(stamp_s, pose, true);
+    }
+}
+
 TEST(Prealignment, AfterAPauseTheVehicleIsTakenToStand)
 {
     auto prealignment = driving(PrealignSource::ConstantVelocity);

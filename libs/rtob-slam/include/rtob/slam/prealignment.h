@@ -74,6 +74,7 @@ class Prealignment
 
  private:
     [[nodiscard]] double stepTo(double stamp_s) const;
+    void advanceTime(double stamp_s);
     [[nodiscard]] Pose2 carriedOn(double step_s) const;
     [[nodiscard]] Pose2 velocityOver(double step_s, const Pose2& pose_map_vehicle) const;
 
@@ -81,7 +82,7 @@ class Prealignment
     Pose2 pose_map_last_;
     /// The last scan's own stamp, or later where stamps step back a little.
     double time_s_ = std::numeric_limits<double>::quiet_NaN();
-    double usual_step_s_ = 0;  ///< 0: not known yet
+    double usual_step_s_ = 0;  ///< the mean; 0: not known yet
     bool started_ = false;     ///< a scan or a reset has said where the vehicle is
     std::optional<Pose2> odometry_at_last_, odometry_now_;
     bool odometry_is_new_ = false;
