@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace rtob
@@ -48,6 +49,23 @@ void ConvexArea::hullOf(const Vector2d* points, std::size_t count)
         sides_[i].length_m = length_m;
         if (length_m > 0) sides_[i].along = side / length_m;
     }
+    findCircle();
+}
+
+/// Around the middle of the corners' box.
+void ConvexArea::findCircle()
+{
+    Vector2d low = corners_[0], high = corners_[0];
+    for (const Vector2d& corner : *this)
+    {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    circle_middle_ = (low + high) / 2;
+    double radius2 = 0;
+    for (const Vector2d& corner : *this)
+        radius2 = std::max(radius2, (corner - circle_middle_).squaredNorm());
+    circle_radius_m_ = std::sqrt(radius2);
 }
 
 double ConvexArea::squaredDistance(const Vector2d& place) const

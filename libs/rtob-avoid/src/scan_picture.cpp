@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rtob
 {
@@ -63,6 +64,7 @@ void ScanPicture::clear()
     hits_vehicle_.clear();
     horizon_vehicle_.clear();
     findHoles();
+    findSights();
 }
 
 bool ScanPicture::take(const GuardScan& scan, const DeadReckoning& reckoning)
@@ -85,6 +87,7 @@ bool ScanPicture::take(const GuardScan& scan, const DeadReckoning& reckoning)
         takeBeam(scan.ranges_m[i], pose_vehicle_beam, kBeamShare * std::abs(scan.step_rad));
     }
     findHoles();
+    findSights();
     return true;
 }
 
@@ -146,22 +149,33 @@ void ScanPicture::findHoles()
     }
 }
 
+/// A copy of the bins with what sightOf() asks for: no wrapping, no special cases.
+void ScanPicture::findSights()
+{
+    constexpr float kNowhere_m = -1e6F;
+    for (int i = 0; i < kBins + 2; ++i)
+    {
+        const auto bin = [&](int off) -> const Bin&
+        { return bins_[static_cast<std::size_t>(wrapped(i - 1 + off))]; };
+        const bool is_hit = bin(0).farthest_hit_m > 0;
+        sights_[static_cast<std::size_t>(i)] = {
+            std::min({bin(-1).nearest_m, bin(0).nearest_m, bin(1).nearest_m}),
+            is_hit ? bin(0).nearest_m : kNowhere_m, is_hit ? bin(0).farthest_hit_m : kNowhere_m};
+    }
+}
+
 Sight ScanPicture::sightOf(float x_vehicle, float y_vehicle) const
 {
     const float x = x_vehicle - laser_vehicle_.x(), y = y_vehicle - laser_vehicle_.y();
     const float range_m = std::sqrt(x * x + y * y);
-    const int middle = sector_of(x, y, kBins);
-    bool is_seen = false, is_free = true;
-    for (int bin = middle - 1; bin <= middle + 1; ++bin)
-    {
-        const Bin& there = bins_[static_cast<std::size_t>(wrapped(bin))];
-        is_free = is_free && there.nearest_m > range_m + tolerance_m_;
-        if (there.farthest_hit_m > 0)
-            is_seen = is_seen || std::abs(there.nearest_m - range_m) <= tolerance_m_ ||
-                      std::abs(there.farthest_hit_m - range_m) <= tolerance_m_;
-    }
-    if (is_free) return Sight::Free;
-    return is_seen ? Sight::Seen : Sight::Hidden;
+    const BinSight* before = &sights_[static_cast<std::size_t>(sector_of(x, y, kBins))];
+    if (before[1].all_free_m > range_m + tolerance_m_) return Sight::Free;
+    float off_m = std::numeric_limits<float>::infinity();
+    for (int i = 0; i < 3; ++i)
+        off_m = std::min(
+            {off_m, std::abs(before[i].nearest_m - range_m),
+             std::abs(before[i].farthest_m - range_m)});
+    return off_m <= tolerance_m_ ? Sight::Seen : Sight::Hidden;
 }
 
 bool ScanPicture::isUnknown(double bearing_vehicle_rad, double half_width_rad) const

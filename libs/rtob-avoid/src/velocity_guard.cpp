@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "usable_input.h"
 
@@ -21,7 +22,7 @@ constexpr double kSeenAround_m = 0.5;
 // Where obstacles leave less than this, the vehicle stops.
 constexpr double kSlowest_mps = 0.01;
 constexpr int kHalvings = 7;
-constexpr double kRounding_m = 1e-6;
+constexpr std::size_t kScanPoints = 2048;  // that there is room for
 
 double bearing_of(const Vector2d& vector)
 {
@@ -60,10 +61,10 @@ VelocityGuard::VelocityGuard(const VehicleLimits& vehicle, const GuardOptions& o
       memory_(options),
       commands_(vehicle.latency_s),
       stopping_(vehicle),
-      guidance_(options)
+      guidance_(options),
+      obstacles_(static_cast<std::size_t>(options.memory_points) + kScanPoints),
+      at_risk_(static_cast<std::size_t>(options.memory_points) + kScanPoints)
 {
-    obstacles_.reserve(static_cast<std::size_t>(options.memory_points) + 2048);  // and a scan
-    at_risk_.reserve(obstacles_.capacity());
 }
 
 void VelocityGuard::observe(const GuardScan& scan, const MapPose& pose)
@@ -170,45 +171,23 @@ double VelocityGuard::rememberedKeep() const
     return vehicle_.clearance() + (usesMemory() ? options_.pose_sigmas * pose_sigma_m_ : 0);
 }
 
-/// Those that a way of this length may come too near to.
+/// Those that a way of this length may come too near to. An obstacle that comes nearer than it
+/// should even if the vehicle stops at once must not come nearer than that; so stopping is always
+/// allowed, and so is getting away.
 void VelocityGuard::gatherObstacles(double way_m)
 {
     obstacles_.clear();
     const double keep_m = vehicle_.clearance();
     const double reach_m = way_m + rememberedKeep();
     const Pose2 pose_vehicle_picture = inverse(pose_picture_vehicle_);
-    gather(picture_.hits().view(), pose_vehicle_picture, keep_m, reach_m);
+    obstacles_.add(picture_.hits().view(), pose_vehicle_picture, keep_m, reach_m);
     if (options_.unknown != UnknownPolicy::Allow)
-        gather(picture_.horizon().view(), pose_vehicle_picture, keep_m, reach_m);
+        obstacles_.add(picture_.horizon().view(), pose_vehicle_picture, keep_m, reach_m);
     if (usesMemory())
-        gather(
+        obstacles_.add(
             memory_.points_map(), compose(pose_vehicle_picture, inverse(*pose_map_picture_)),
             rememberedKeep(), reach_m);
-    excuseWhatStoppingCannotAvoid();
-}
-
-void VelocityGuard::gather(
-    const PointsView& points, const Pose2& pose_vehicle_points, double keep_m, double reach_m)
-{
-    const double c = std::cos(pose_vehicle_points.yaw), s = std::sin(pose_vehicle_points.yaw);
-    const double x0 = pose_vehicle_points.x, y0 = pose_vehicle_points.y;
-    for (std::size_t i = 0; i < points.size; ++i)
-    {
-        const double px = points.x[i], py = points.y[i];
-        const double x = x0 + c * px - s * py, y = y0 + s * px + c * py;
-        if (x * x + y * y < reach_m * reach_m) obstacles_.push_back({{x, y}, keep_m});
-    }
-}
-
-/// An obstacle that comes nearer than it should even if the vehicle stops at once must not come
-/// nearer than that; so stopping is always allowed, and so is getting away.
-void VelocityGuard::excuseWhatStoppingCannotAvoid()
-{
-    const ConvexArea at_once = stopping_.of(Vector2d::Zero());
-    for (NearObstacle& obstacle : obstacles_)
-        if (at_once.isWithin(obstacle.place_vehicle, obstacle.keep_m))
-            obstacle.keep_m =
-                std::sqrt(at_once.squaredDistance(obstacle.place_vehicle)) - kRounding_m;
+    obstacles_.excuse(stopping_.of(Vector2d::Zero()));
 }
 
 bool VelocityGuard::isUnknown(double bearing_rad) const
@@ -217,13 +196,9 @@ bool VelocityGuard::isUnknown(double bearing_rad) const
     return picture_.isUnknown(bearing_rad + pose_picture_vehicle_.yaw, body_rad);
 }
 
-bool VelocityGuard::isSafe(const Vector2d& command, const NearObstacles& obstacles) const
+bool VelocityGuard::isSafe(const Vector2d& command) const
 {
-    const ConvexArea area = stopping_.of(command);
-    return std::none_of(
-        obstacles.begin(), obstacles.end(),
-        [&](const NearObstacle& obstacle)
-        { return area.isWithin(obstacle.place_vehicle, obstacle.keep_m); });
+    return !at_risk_.anyIsIn(stopping_.of(command));
 }
 
 /// The wish on a bent way, with obstacles left aside.
@@ -245,16 +220,13 @@ VelocityGuard::Way VelocityGuard::asWished(const Vector2d& wish_vehicle, double 
 /// Straight ahead, unless a bend brings the vehicle farther along the wish.
 VelocityGuard::Way VelocityGuard::bestWay(const Vector2d& wish_vehicle)
 {
-    const double stopping_m = stopping_.reach(wish_vehicle.norm());
-    gatherObstacles(stopping_m);
-    const Way whole = asWished(wish_vehicle, 0);
-    if (whole.velocity_vehicle == wish_vehicle && isSafe(wish_vehicle, obstacles_)) return whole;
-    gatherObstacles(std::max(stopping_m, options_.lookahead_m));
+    gatherObstacles(std::max(stopping_.reach(wish_vehicle.norm()), options_.lookahead_m));
+    const Way straight = fastest(asWished(wish_vehicle, 0));
+    if (straight.velocity_vehicle == wish_vehicle) return straight;
     const double bend_rad = guidance_.bend(
         obstacles_, bearing_of(wish_vehicle),
         [&](double bearing_rad)
         { return options_.unknown == UnknownPolicy::Block && isUnknown(bearing_rad); });
-    const Way straight = fastest(whole);
     if (bend_rad == 0) return straight;
     const Way bent = fastest(asWished(wish_vehicle, bend_rad));
     const auto progress = [&](const Way& way) { return way.velocity_vehicle.dot(wish_vehicle); };
@@ -267,15 +239,13 @@ VelocityGuard::Way VelocityGuard::fastest(const Way& whole)
     Way way = whole;
     if (whole.velocity_vehicle.isZero()) return way;
     at_risk_.clear();
-    const ConvexArea largest = stopping_.ofUpTo(whole.velocity_vehicle);
-    for (const NearObstacle& obstacle : obstacles_)
-        if (largest.isWithin(obstacle.place_vehicle, obstacle.keep_m)) at_risk_.push_back(obstacle);
-    if (isSafe(whole.velocity_vehicle, at_risk_)) return way;
+    at_risk_.addThoseIn(stopping_.ofUpTo(whole.velocity_vehicle), obstacles_);
+    if (isSafe(whole.velocity_vehicle)) return way;
     double safe = 0, unsafe = 1;
     for (int i = 0; i < kHalvings; ++i)
     {
         const double middle = (safe + unsafe) / 2;
-        (isSafe(middle * whole.velocity_vehicle, at_risk_) ? safe : unsafe) = middle;
+        (isSafe(middle * whole.velocity_vehicle) ? safe : unsafe) = middle;
     }
     way.velocity_vehicle *= safe;
     if (way.velocity_vehicle.norm() < kSlowest_mps) way.velocity_vehicle.setZero();
@@ -285,16 +255,15 @@ VelocityGuard::Way VelocityGuard::fastest(const Way& whole)
 /// The obstacle that forbids the wish; of several the nearest.
 void VelocityGuard::nameLimit(const Vector2d& wish_vehicle, GuardDecision& decision) const
 {
-    const ConvexArea area = stopping_.of(wish_vehicle);
-    double nearest_m = 0;
-    for (const NearObstacle& obstacle : obstacles_)
+    double nearest_m = std::numeric_limits<double>::infinity();
+    const auto take = [&](std::size_t i)
     {
-        const double distance_m = obstacle.place_vehicle.norm();
-        const bool is_nearer = nearest_m == 0 || distance_m < nearest_m;
-        if (!is_nearer || !area.isWithin(obstacle.place_vehicle, obstacle.keep_m)) continue;
-        nearest_m = distance_m;
-        decision.limiting_bearing_rad = bearing_of(obstacle.place_vehicle);
-    }
-    decision.limiting_distance_m = nearest_m;
+        const Vector2d place = obstacles_.at(i).place_vehicle;
+        if (place.norm() >= nearest_m) return true;
+        nearest_m = decision.limiting_distance_m = place.norm();
+        decision.limiting_bearing_rad = bearing_of(place);
+        return true;
+    };
+    obstacles_.forEachIn(stopping_.of(wish_vehicle), take);
 }
 }  // namespace rtob

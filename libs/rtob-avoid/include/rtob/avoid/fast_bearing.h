@@ -27,4 +27,14 @@ namespace rtob
 {
     return std::min(static_cast<int>(turns_of(x, y) * static_cast<float>(sectors)), sectors - 1);
 }
+
+/// As sector_of, but of sectors that are equal on a square around the origin: up to twice as wide
+/// beside the diagonals as on them. For sorting, where their width does not matter; faster still.
+[[nodiscard]] inline int square_sector_of(float x, float y, int sectors)
+{
+    const float sum = std::abs(x) + std::abs(y) + 1e-20F;
+    const float along = y / sum;  // rises from -1 to 1 on the right half, falls on the left one
+    const float turns = 0.25F * (x >= 0 ? 1 + along : 3 - along);  // in [0, 1]
+    return std::min(static_cast<int>(turns * static_cast<float>(sectors)), sectors - 1);
+}
 }  // namespace rtob

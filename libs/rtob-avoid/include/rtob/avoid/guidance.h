@@ -24,8 +24,8 @@ class Guidance
     {
         sortIntoSectors(obstacles);
         measureWays(wish_bearing_rad);
-        for (Way& way : ways_)
-            if (is_closed(wish_bearing_rad + way.bend_rad)) way.free_m = 0;
+        for (std::size_t way = 0; way < free_m_.size(); ++way)
+            if (is_closed(wish_bearing_rad + bend_rad_[way])) free_m_[way] = 0;
         return choose();
     }
 
@@ -33,25 +33,22 @@ class Guidance
     void reset() { side_ = 0; }
 
  private:
-    struct Way
-    {
-        double bend_rad = 0, cos_bend = 1, sin_bend = 0;
-        double free_m = 0;
-    };
     static constexpr int kSectors = 180;
     struct Nearest
     {
-        double x = 0, y = 0, keep_m = 0, gap_m = 0;
+        float x = 0, y = 0, keep_m = 0, gap_m = 0;
     };
     void sortIntoSectors(const NearObstacles& obstacles);
     void measureWays(double wish_bearing_rad);
-    void shorten(double ahead_m, double left_m, double keep_m);
+    void shorten(float ahead_m, float left_m, float keep_m);
     [[nodiscard]] double choose();
-    [[nodiscard]] double worth(const Way& way) const;
+    [[nodiscard]] float worth(std::size_t way) const;
 
-    double lookahead_m_;
+    float lookahead_m_;
     std::array<Nearest, kSectors> nearest_;  ///< obstacle of each sector; gap_m is large without
-    std::vector<Way> ways_;                  ///< from right to left; the middle one is straight
-    int side_ = 0;                           ///< of the last bend: 1 left, -1 right, 0 none yet
+    // The ways, from right to left; the middle one is straight.
+    std::vector<double> bend_rad_;
+    std::vector<float> cos_bend_, sin_bend_, free_m_;
+    int side_ = 0;  ///< of the last bend: 1 left, -1 right, 0 none yet
 };
 }  // namespace rtob

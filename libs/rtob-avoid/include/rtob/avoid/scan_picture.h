@@ -49,9 +49,16 @@ class ScanPicture
         float nearest_m = 0;       ///< of all beams; 0: no beam
         float farthest_hit_m = 0;  ///< 0: no beam hit anything
     };
+    /// Of the beams of one bin, which stands between its two neighbours.
+    struct BinSight
+    {
+        float all_free_m = 0;                ///< as far as all three see nothing
+        float nearest_m = 0, farthest_m = 0;  ///< far below 0 where nothing was hit
+    };
     void takeBeam(float range_m, const Pose2& pose_vehicle_beam, double half_step_rad);
     void markBins(float x, float y, bool is_hit, double half_step_rad);
     void findHoles();
+    void findSights();
     [[nodiscard]] static int wrapped(int bin) { return (bin % kBins + kBins) % kBins; }
 
     const float tolerance_m_;
@@ -63,6 +70,7 @@ class ScanPicture
     Eigen::Vector2f laser_vehicle_ = Eigen::Vector2f::Zero();
     Points hits_vehicle_, horizon_vehicle_;
     std::array<Bin, kBins> bins_;
+    std::array<BinSight, kBins + 2> sights_;  ///< from the last bin over all to the first again
     std::array<std::int16_t, 2 * kBins + 1> unknown_before_;  ///< sums of unknown bins, two turns
     int known_bins_ = 0;
 };

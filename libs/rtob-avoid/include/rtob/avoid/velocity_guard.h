@@ -89,12 +89,10 @@ class VelocityGuard
     void locate(const MapPose& pose);
     [[nodiscard]] double rememberedKeep() const;
     void gatherObstacles(double way_m);
-    void gather(
-        const PointsView& points, const Pose2& pose_vehicle_points, double keep_m, double reach_m);
     void setActing(const VehicleMotion& motion, double now_s);
-    void excuseWhatStoppingCannotAvoid();
     [[nodiscard]] bool isUnknown(double bearing_rad) const;
-    [[nodiscard]] bool isSafe(const Eigen::Vector2d& command, const NearObstacles& obstacles) const;
+    /// As far as the obstacles at risk know.
+    [[nodiscard]] bool isSafe(const Eigen::Vector2d& command) const;
     [[nodiscard]] Way asWished(const Eigen::Vector2d& wish_vehicle, double bend_rad) const;
     [[nodiscard]] Way bestWay(const Eigen::Vector2d& wish_vehicle);
     [[nodiscard]] Way fastest(const Way& whole);
