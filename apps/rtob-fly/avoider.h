@@ -19,7 +19,8 @@ class Avoider
         double now_s, const Eigen::Vector2d& wish_vehicle, const VehicleMotion& motion) = 0;
 };
 
-/// Names of all there are: "guard" is ours, "none" lets every wish pass, the others are rules.h's.
+/// Names of all there are: "guard" is ours, "none" lets every wish pass, the others are those of
+/// rules.h and, where MRPT's navigation was there at build time, of holonomic.h.
 [[nodiscard]] std::vector<std::string> avoider_names();
 
 /// @throws std::invalid_argument that lists the names

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "holonomic.h"
 #include "rules.h"
 
 namespace rtob::fly
@@ -52,7 +53,11 @@ class None : public Avoider
 
 std::vector<std::string> avoider_names()
 {
+#ifdef RTOB_HAVE_MRPT_NAV
+    return {"guard", "px4", "ardupilot", "mrpt-nd", "mrpt-fulleval", "none"};
+#else
     return {"guard", "px4", "ardupilot", "none"};
+#endif
 }
 
 std::unique_ptr<Avoider> make_avoider(
@@ -61,6 +66,10 @@ std::unique_ptr<Avoider> make_avoider(
     if (name == "guard") return std::make_unique<OurGuard>(limits, options);
     if (name == "px4") return std::make_unique<CollisionPrevention>(limits);
     if (name == "ardupilot") return std::make_unique<SimpleAvoidance>(limits);
+#ifdef RTOB_HAVE_MRPT_NAV
+    if (name == "mrpt-nd") return make_holonomic(HolonomicMethod::NearnessDiagram, limits);
+    if (name == "mrpt-fulleval") return make_holonomic(HolonomicMethod::FullEvaluation, limits);
+#endif
     if (name == "none") return std::make_unique<None>(limits);
     throw std::invalid_argument("no avoider '" + name + "'" + suggestion(name, avoider_names()));
 }

@@ -36,7 +36,7 @@ constexpr const char* footer =
     "rtob-fly campaign   flies many times; exit code 1 when anything was touched\n"
     "rtob-fly compare    the same flights under each avoider, and doors: a Markdown table\n"
     "Worlds: room, garage, flat, maze. Pilots: scripted, random, malicious.\n"
-    "Avoiders: guard, px4, ardupilot, none.";
+    "Avoiders: guard, px4, ardupilot, mrpt-nd, mrpt-fulleval (with libmrpt-nav-dev), none.";
 
 int show(const Flags& flags)
 {

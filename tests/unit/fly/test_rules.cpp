@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <guard_world.h>
+#include <holonomic.h>
 #include <rules.h>
 
 using namespace rtob;
@@ -63,4 +64,25 @@ TEST(SectorRanges, KeepTheNearestOfEachSector)
     EXPECT_EQ(ranges.at(4).range_m, 6);
     EXPECT_EQ(ranges.sectorAt(-0.1), 0);
     EXPECT_EQ(ranges.sectorAt(-0.5), 7);
+}
+
+TEST(FreeWays, EndWhereADiscTouches)
+{
+    const auto seen = wall_ahead();
+    const auto ways = free_ways(seen.scan, 0.6, 120, 4);
+    EXPECT_NEAR(ways[60], 1.4, 0.01);  // 1.5 degrees off straight ahead
+    EXPECT_EQ(ways[0], 4);             // backwards
+    const double slant_rad = (80 + 0.5) * 2 * M_PI / 120 - M_PI;
+    EXPECT_NEAR(ways[80], 1.4 / std::cos(slant_rad), 0.05);
+}
+
+TEST(FreeWays, LeadAwayFromWhatIsTouched)
+{
+    std::vector<float> ranges_m(1, 0.3F);
+    GuardScan scan;
+    scan.ranges_m = ranges_m.data();
+    scan.beams = 1;
+    const auto ways = free_ways(scan, 0.6, 120, 4);
+    EXPECT_EQ(ways[60], 0);
+    EXPECT_EQ(ways[119], 4);
 }

@@ -52,7 +52,7 @@ class ScanPicture
     /// Of the beams of one bin, which stands between its two neighbours.
     struct BinSight
     {
-        float all_free_m = 0;                ///< as far as all three see nothing
+        float all_free_m = 0;                 ///< as far as all three see nothing
         float nearest_m = 0, farthest_m = 0;  ///< far below 0 where nothing was hit
     };
     void takeBeam(float range_m, const Pose2& pose_vehicle_beam, double half_step_rad);
