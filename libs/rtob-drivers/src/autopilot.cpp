@@ -35,13 +35,6 @@ void set_motion(
     imu.set(IMU_PITCH_VEL, turn.y);
     imu.set(IMU_YAW_VEL, turn.z);
 }
-
-/// 1000 to 2000 us are -1 to 1; what is no such pulse is the middle.
-double stick_of(std::uint16_t pulse_us)
-{
-    if (pulse_us < 800 || pulse_us > 2200) return 0;
-    return std::clamp((pulse_us - 1500.0) / 500.0, -1.0, 1.0);
-}
 }  // namespace
 
 void AutopilotOptions::validate() const
@@ -91,14 +84,12 @@ void Autopilot::take(const MavlinkFrame& frame, double now_s)
         take(*flow, now_s);
     else if (const auto distance = message_of<mavlink::DistanceSensor>(frame))
         take(*distance, now_s);
+    else if (const auto position = message_of<mavlink::LocalPositionNed>(frame))
+        news_.position = {*position, now_s};
     else if (const auto manual = message_of<mavlink::ManualControl>(frame))
-        takeStick(
-            manual->x / 1000.0, manual->y / 1000.0, manual->z / 1000.0, manual->r / 1000.0, now_s);
+        news_.manual = {*manual, now_s};
     else if (const auto rc = message_of<mavlink::RcChannels>(frame))
-        // Roll, pitch, throttle, yaw: the usual order. Pitch up is backwards.
-        takeStick(
-            -stick_of(rc->chan[1]), stick_of(rc->chan[0]), stick_of(rc->chan[2]),
-            stick_of(rc->chan[3]), now_s);
+        news_.rc = {*rc, now_s};
 }
 
 void Autopilot::answer(const mavlink::Timesync& sync, double now_s)
@@ -126,6 +117,7 @@ void Autopilot::add(mrpt::obs::CObservation::Ptr observation, double time_s, con
 
 void Autopilot::take(const mavlink::Attitude& attitude, double now_s)
 {
+    news_.attitude = {attitude, now_s};
     using namespace mrpt::obs;
     const auto angles = turn_over(RollPitchYaw{attitude.roll, attitude.pitch, attitude.yaw});
     const auto turn =
@@ -184,12 +176,6 @@ void Autopilot::take(const mavlink::DistanceSensor& distance, double now_s)
     auto imu = mrpt::obs::CObservationIMU::Create();
     imu->set(mrpt::obs::IMU_ALTITUDE, 0.01 * distance.current_distance);
     add(imu, ours(1e-3 * distance.time_boot_ms, now_s), "height");
-}
-
-void Autopilot::takeStick(double ahead, double right, double up, double turn_right, double now_s)
-{
-    const auto clamped = [](double value) { return std::clamp(value, -1.0, 1.0); };
-    stick_ = PilotStick{now_s, clamped(ahead), clamped(-right), clamped(up), clamped(-turn_right)};
 }
 
 void Autopilot::poll(double now_s)

@@ -188,27 +188,22 @@ TEST(Autopilot, TakesHeightsOnlyFromWhatLooksDown)
     EXPECT_TRUE(autopilot.takeObservations().empty());
 }
 
-TEST(Autopilot, KnowsThePilotsWish)
+TEST(Autopilot, KeepsTheNewestOfSticksAndMotion)
 {
     Autopilot autopilot({});
     Sender controller{1, 1, 0};
     ManualControl manual;
-    manual.x = 500;    // ahead
-    manual.y = 250;    // right
-    manual.r = -1000;  // turn left
+    manual.x = 500;
     autopilot.receive(controller.encode(manual), 100);
-    ASSERT_TRUE(autopilot.stick());
-    EXPECT_DOUBLE_EQ(0.5, autopilot.stick()->ahead);
-    EXPECT_DOUBLE_EQ(-0.25, autopilot.stick()->left);
-    EXPECT_DOUBLE_EQ(1.0, autopilot.stick()->turn_left);
-
-    RcChannels rc;
-    rc.chan = {1750, 1000, 1500, 65535};
-    autopilot.receive(controller.encode(rc), 101);
-    EXPECT_DOUBLE_EQ(1.0, autopilot.stick()->ahead);  // pitch fully down
-    EXPECT_DOUBLE_EQ(-0.5, autopilot.stick()->left);
-    EXPECT_DOUBLE_EQ(0.0, autopilot.stick()->turn_left);  // no such channel
-    EXPECT_EQ(101, autopilot.stick()->time_s);
+    LocalPositionNed position;
+    position.vx = 0.25F;
+    autopilot.receive(controller.encode(position), 101);
+    EXPECT_EQ(500, autopilot.news().manual.message.x);
+    EXPECT_EQ(100, autopilot.news().manual.time_s);
+    EXPECT_TRUE(autopilot.news().manual.isYoungerThan(0.5, 100.4));
+    EXPECT_FALSE(autopilot.news().manual.isYoungerThan(0.5, 100.5));
+    EXPECT_EQ(0.25F, autopilot.news().position.message.vx);
+    EXPECT_FALSE(autopilot.news().rc.isYoungerThan(1e6, 101));  // none came
 }
 
 TEST(Autopilot, SaysTextsOfAnyLength)

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <mrpt/obs/CObservation.h>
+#include <rtob/drivers/autopilot_news.h>
 #include <rtob/drivers/autopilot_options.h>
 #include <rtob/drivers/mavlink_codec.h>
 #include <rtob/drivers/pose_carrier.h>
 #include <rtob/drivers/time_sync.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace rtob
 {
-/// What the pilot wants, from MANUAL_CONTROL or RC_CHANNELS; vehicle frame, each -1 to 1.
-struct PilotStick
-{
-    double time_s = 0;  ///< when it came
-    double ahead = 0, left = 0, up = 0, turn_left = 0;
-};
-
 /// The talk with a flight controller over MAVLink 2: poses, heartbeat, time and texts out; what it
 /// senses in, as observations of MRPT. Bytes in, bytes out, no input or output of its own. Times
 /// are UNIX seconds.
@@ -48,7 +41,8 @@ class Autopilot
 
     [[nodiscard]] Bytes takeBytes();
     [[nodiscard]] std::vector<mrpt::obs::CObservation::Ptr> takeObservations();
-    [[nodiscard]] const std::optional<PilotStick>& stick() const { return stick_; }
+    /// Of the pilot's sticks and of the vehicle's motion, as it came.
+    [[nodiscard]] const AutopilotNews& news() const { return news_; }
     [[nodiscard]] const MavlinkCounters& counters() const { return reader_.counters(); }
     [[nodiscard]] const TimeSync& timeSync() const { return time_sync_; }
     [[nodiscard]] bool hearsHeartbeat(double now_s) const { return now_s - last_heartbeat_s_ < 3; }
@@ -63,7 +57,6 @@ class Autopilot
     void take(const mavlink::ScaledImu& imu, double now_s);
     void take(const mavlink::OpticalFlowRad& flow, double now_s);
     void take(const mavlink::DistanceSensor& distance, double now_s);
-    void takeStick(double ahead, double right, double up, double turn_right, double now_s);
     void sendPose(const TimedPose& pose);
     [[nodiscard]] double ours(double other_s, double now_s) const;
 
@@ -73,7 +66,7 @@ class Autopilot
     MavlinkReader reader_;
     TimeSync time_sync_;
     PoseCarrier carrier_;
-    std::optional<PilotStick> stick_;
+    AutopilotNews news_;
     Bytes to_send_;
     std::vector<mrpt::obs::CObservation::Ptr> observations_;
     double next_heartbeat_s_ = 0, next_question_s_ = 0, next_pose_s_ = 0;

@@ -156,8 +156,9 @@ struct Odometry
 template <class Visit>
 void for_each_message(Visit&& visit)
 {
-    visit(Heartbeat()), visit(ScaledImu()), visit(Attitude()), visit(RcChannels());
-    visit(ManualControl()), visit(SetPositionTargetLocalNed()), visit(VisionPositionEstimate());
+    visit(Heartbeat()), visit(ScaledImu()), visit(Attitude()), visit(LocalPositionNed());
+    visit(RcChannels()), visit(ManualControl()), visit(SetPositionTargetLocalNed()),
+        visit(VisionPositionEstimate());
     visit(HighresImu()), visit(OpticalFlowRad()), visit(Timesync()), visit(DistanceSensor());
     visit(Statustext()), visit(ObstacleDistance()), visit(Odometry());
 }

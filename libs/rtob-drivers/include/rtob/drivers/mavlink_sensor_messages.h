@@ -44,6 +44,23 @@ struct Attitude
     }
 };
 
+/// Where it believes to be.
+struct LocalPositionNed
+{
+    static constexpr std::uint32_t id = 32;
+    static constexpr const char* name = "LOCAL_POSITION_NED";
+    std::uint32_t time_boot_ms = 0;
+    float x = 0, y = 0, z = 0;     ///< m
+    float vx = 0, vy = 0, vz = 0;  ///< m/s
+
+    template <class Self, class Visit>
+    static void fields(Self& s, Visit&& v)
+    {
+        v("time_boot_ms", s.time_boot_ms), v("x", s.x), v("y", s.y), v("z", s.z);
+        v("vx", s.vx), v("vy", s.vy), v("vz", s.vz);
+    }
+};
+
 struct RcChannels
 {
     static constexpr std::uint32_t id = 65;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <rtob/drivers/mavlink_messages.h>
+
+namespace rtob
+{
+/// The newest message of a kind.
+template <class Message>
+struct Heard
+{
+    Message message;
+    double time_s = -1e9;  ///< when it came, UNIX time
+
+    [[nodiscard]] bool isYoungerThan(double age_s, double now_s) const
+    {
+        return now_s - time_s < age_s;
+    }
+};
+
+/// What the flight controller last said of its pilot and of its motion.
+struct AutopilotNews
+{
+    Heard<mavlink::ManualControl> manual;
+    Heard<mavlink::RcChannels> rc;
+    Heard<mavlink::Attitude> attitude;
+    Heard<mavlink::LocalPositionNed> position;
+};
+}  // namespace rtob
