@@ -76,6 +76,7 @@ NumberedFlight numbered_flight(const CampaignPlan& plan, std::uint64_t number)
     flight.setup.avoider = plan.avoider;
     flight.setup.pilot = nth(plan.pilots, rest);
     flight.setup.hardship.always_latest = rest % 2 == 0;
+    flight.setup.hardship.holds_place = plan.holds_place;
     flight.setup.seed = number + 1;
     flight.setup.duration_s = plan.duration_s;
     flight.setup.limits = fly_limits();

@@ -17,6 +17,7 @@ struct CampaignPlan
     std::uint64_t flights = 12;
     std::uint64_t first = 0;  ///< number of the first flight, which decides world, pilot and seed
     double duration_s = 60;
+    bool holds_place = true;  ///< Hardship's
     unsigned jobs = 1;
 };
 

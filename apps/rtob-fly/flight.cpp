@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flight.h"
 
+#include <rtob/core/processor_time.h>
 #include <rtob/sim/simulation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <deque>
 #include <stdexcept>
 
@@ -24,13 +24,6 @@ Vector2d turned(const Vector2d& vector, double angle_rad)
 {
     const double c = std::cos(angle_rad), s = std::sin(angle_rad);
     return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
-}
-
-double processor_time_s()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// A place that the vehicle may start from, with some room around it.
@@ -167,12 +160,13 @@ class Flight
         is_touching_ = gap_m < 0;
     }
 
-    /// What the link says; told to stand still, the vehicle holds its place, as autopilots do.
+    /// What the link says; told to stand still, the vehicle holds its place, as autopilots do in
+    /// all modes that take velocities.
     [[nodiscard]] Vector2d autopilotCommand()
     {
         const Vector2d& active_map = link_.active(simulation_.time_s());
         if (!active_map.isZero() || velocity_map().norm() > kSlow_mps) hold_map_.reset();
-        if (!active_map.isZero()) return active_map;
+        if (!active_map.isZero() || !setup_.hardship.holds_place) return active_map;
         const Vector2d place_map(pose().x, pose().y);
         if (!hold_map_ && velocity_map().norm() <= kSlow_mps) hold_map_ = place_map;
         return hold_map_ ? Vector2d(*hold_map_ - place_map) : active_map;
@@ -203,9 +197,9 @@ class Flight
         found.pose_map_vehicle.y += noise_.gaussian(setup_.hardship.pose_noise_m);
         found.sigma_m = setup_.hardship.pose_noise_m;
         found.is_lost = false;
-        const double began_s = processor_time_s();
+        const double began_s = thread_processor_time_s();
         avoider_->observe(scan, found);
-        result_.decision_s += processor_time_s() - began_s;
+        result_.decision_s += thread_processor_time_s() - began_s;
     }
 
     void decide()
@@ -220,9 +214,9 @@ class Flight
         motion.velocity_vehicle.x() += noise_.gaussian(setup_.hardship.velocity_noise_mps);
         motion.velocity_vehicle.y() += noise_.gaussian(setup_.hardship.velocity_noise_mps);
         motion.yaw_rate_radps = simulation_.state().yaw_rate_radps;
-        const double began_s = processor_time_s();
+        const double began_s = thread_processor_time_s();
         decision_ = avoider_->decide(now_s, turned(input_.wish_map, -yaw), motion);
-        result_.decision_s += processor_time_s() - began_s;
+        result_.decision_s += thread_processor_time_s() - began_s;
         ++result_.decisions;
         ++result_.reasons[static_cast<std::size_t>(decision_.reason)];
         countSides(decision_.bend_rad);

@@ -26,6 +26,7 @@ struct Hardship
     double pose_noise_m = 0.01;
     double turbulence_mps2 = 0.1;
     double scan_delay_s = 0.05;  ///< from its last beam until the guard has it
+    bool holds_place = true;     ///< told to stand still, the autopilot holds its place
 };
 
 struct FlightSetup

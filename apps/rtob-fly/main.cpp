@@ -28,6 +28,7 @@ struct Flags
     std::uint64_t seed = 1, flights = 240, first = 0;
     int doors = 60;
     double duration_s = 60;
+    bool drifts = false;
     unsigned jobs = 1;
 };
 
@@ -67,6 +68,7 @@ CampaignPlan plan_of(const Flags& flags)
     plan.flights = flags.flights;
     plan.first = flags.first;
     plan.duration_s = flags.duration_s;
+    plan.holds_place = !flags.drifts;
     plan.jobs = flags.jobs > 0 ? flags.jobs : std::thread::hardware_concurrency();
     return plan;
 }
@@ -122,6 +124,7 @@ int run(int argc, char** argv)
     {
         add(verb)->add_option("--flights", flags.flights, "how many")->type_name("N");
         verb->add_option("--first", flags.first, "number of the first one")->type_name("N");
+        verb->add_flag("--drift", flags.drifts, "no position hold: gusts carry the vehicle away");
         verb->add_option("--jobs", flags.jobs, "at a time; 0: one a core")->type_name("N");
         return verb;
     };

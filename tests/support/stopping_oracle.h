@@ -105,11 +105,24 @@ inline double nearest_when_stopping(
     return nearest - time_s * fastest / kSteps;  // a place of the grid is nearer than that
 }
 
+/// Numbers of the obstacles that a path may come nearer to than keep_m.
+inline std::vector<std::size_t> near_path(
+    const std::vector<Eigen::Vector2d>& obstacles, const std::vector<Eigen::Vector2d>& path,
+    double keep_m)
+{
+    double reach_m = 0;
+    for (const auto& place : path) reach_m = std::max(reach_m, place.norm());
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < obstacles.size(); ++k)
+        if (obstacles[k].norm() < reach_m + keep_m) numbers.push_back(k);
+    return numbers;
+}
+
 /// What is wrong with the guard's answer to a situation; empty when nothing is.
-inline std::string complaint(const GuardSituation& situation, std::uint64_t seed)
+inline std::string complaint(
+    const GuardSituation& situation, const GuardAnswer& answer, std::uint64_t seed)
 {
     constexpr int kBehaviours = 4;
-    const GuardAnswer answer = answer_to(situation);
     const Eigen::Vector2d& command = answer.decision.velocity_vehicle;
     if (!(command.norm() <= situation.wish.norm() + 1e-12)) return "faster than wished";
     if (command.norm() > 0)
@@ -127,11 +140,14 @@ inline std::string complaint(const GuardSituation& situation, std::uint64_t seed
     {
         const auto behaviour =
             drawn_behaviour(situation.limits, answer.earlier_commands.size() + 2, random);
-        for (const auto& place : stopping_path(situation, answer, command, behaviour))
-            for (std::size_t k = 0; k < answer.obstacles.size(); ++k)
+        const auto path = stopping_path(situation, answer, command, behaviour);
+        const auto numbers = near_path(answer.obstacles, path, keep_m);
+        const double near_m = std::max(0.0, keep_m - step_m);
+        for (const auto& place : path)
+            for (const std::size_t k : numbers)
             {
+                if ((answer.obstacles[k] - place).squaredNorm() >= near_m * near_m) continue;
                 const double distance_m = (answer.obstacles[k] - place).norm() + step_m;
-                if (distance_m >= keep_m) continue;
                 if (excused_m[k] < 0)
                     excused_m[k] = std::max(
                         nearest_when_stopping(situation, answer, answer.obstacles[k]), 0.0);
@@ -144,5 +160,10 @@ inline std::string complaint(const GuardSituation& situation, std::uint64_t seed
             }
     }
     return {};
+}
+
+inline std::string complaint(const GuardSituation& situation, std::uint64_t seed)
+{
+    return complaint(situation, answer_to(situation), seed);
 }
 }  // namespace rtob::test

@@ -28,7 +28,8 @@ TEST(GuardProperty, TheVehicleCanAlwaysStop)
     for (std::uint64_t seed = first; seed < first + all; ++seed)
     {
         const GuardSituation situation = SituationDraw(seed).draw();
-        const std::string wrong = complaint(situation, seed);
+        const GuardAnswer answer = answer_to(situation);
+        const std::string wrong = complaint(situation, answer, seed);
         if (!wrong.empty())
         {
             const auto fails = [&](const GuardSituation& s) { return !complaint(s, seed).empty(); };
@@ -36,7 +37,7 @@ TEST(GuardProperty, TheVehicleCanAlwaysStop)
             FAIL() << "seed " << seed << ": " << wrong << "\nsmallest:\n"
                    << text_of(smallest) << complaint(smallest, seed);
         }
-        const GuardDecision decision = answer_to(situation).decision;
+        const GuardDecision& decision = answer.decision;
         moving += decision.velocity_vehicle.norm() > 0 ? 1 : 0;
         bent += decision.reason == GuardReason::Guided ? 1 : 0;
         limited += decision.velocity_vehicle != situation.wish ? 1 : 0;

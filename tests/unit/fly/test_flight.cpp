@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tally_text.h>
 
+#include <cmath>
+
 using namespace rtob;
 using namespace rtob::fly;
 
@@ -42,6 +44,32 @@ TEST(Flight, PassesDoorsWithTenCentimetresToSpare)
 {
     const DoorTally doors = try_doors("guard", 6);
     EXPECT_EQ(doors.passed, doors.tries);
+    EXPECT_LE(doors.flights.side_changes, 6 * 4u);  // it aims, and does not swing
+}
+
+// The wish leads 30 degrees into a wall of 12 m: the vehicle goes along it, all the way, and does
+// not swing from side to side.
+TEST(Flight, SlidesAlongAWall)
+{
+    FlyWorld hall;
+    hall.name = hall.world.name = "hall";
+    sim::Object wall;
+    wall.shapes_object = {
+        sim::Segment{{0, 0}, {12, 0}}, sim::Segment{{12, 0}, {12, 6}},
+        sim::Segment{{12, 6}, {0, 6}}, sim::Segment{{0, 6}, {0, 0}}};
+    hall.world.objects.push_back(wall);
+    hall.area = {0, 0, 12, 6};
+    hall.route_map = {{100, 4 + 100 * std::tan(M_PI / 6)}};
+    FlightSetup setup;
+    setup.pilot = PilotKind::Straight;
+    setup.duration_s = 20;
+    setup.limits = fly_limits();
+    setup.options = fly_options();
+    setup.start_map = Pose2{1, 4, 0};
+    const FlightResult result = rtob::fly::fly(hall, setup);
+    EXPECT_EQ(result.contacts, 0);
+    EXPECT_GT(result.end_map.x, 10);
+    EXPECT_LE(result.side_changes, 2);
 }
 
 TEST(Flight, IsTheSameEachTimeAndWithMoreThreads)
