@@ -21,7 +21,8 @@ struct RunFlags
 {
     std::string log, config_file, folder, seed, density, first, skip;
     std::vector<std::string> sets;
-    bool overwrite = false, no_odometry = false, simple_map = false, quiet = false;
+    std::string wish = "driven";
+    bool overwrite = false, no_odometry = false, simple_map = false, guard = false, quiet = false;
 };
 
 constexpr const char* footer =
@@ -69,6 +70,7 @@ RunJob job_of(const RunFlags& flags)
     if (!flags.first.empty()) job.limits.first_scans = count_of("--first", flags.first);
     if (job.limits.first_scans == 0) throw UsageError("--first: must be at least 1");
     if (!flags.skip.empty()) job.limits.skip_scans = count_of("--skip", flags.skip);
+    if (flags.guard) job.guard_wish = parse_guard_wish(flags.wish);
     job.config = load_run_config(flags.config_file, option_flags(flags));
     job.limits.use_odometry = job.config.run.use_odometry;
     return job;
@@ -130,6 +132,12 @@ VerbAction declare_run(CLI::App& command)
     command.add_flag(
         "--simplemap", flags->simple_map,
         "write map.simplemap for MRPT too; holds all its scans in memory");
+    auto* guard = command.add_flag(
+        "--guard", flags->guard,
+        "write guard.csv: what the obstacle guard would have commanded after each scan");
+    add("--wish", flags->wish, "WISH",
+        "of the pilot, for --guard: driven (default), or m/s ahead and left, e.g. 0.5,0")
+        ->needs(guard);
     command.add_flag("--quiet", flags->quiet, "no progress, just the last line");
     command.footer(footer);
     return [flags] { return run(*flags); };

@@ -46,6 +46,7 @@ class ScanRecorder
     ScanRecorder(const RunJob& job, const OutputFolder& folder, const Slam& slam)
         : job_(job), folder_(folder), slam_(slam), sensor_(job.config.slam.sensor)
     {
+        if (job.guard_wish) guard_ = std::make_unique<GuardReplay>(job.config, *job.guard_wish);
     }
 
     void add(const mrpt::obs::CObservation2DRangeScan& scan, const ScanReport& report)
@@ -54,9 +55,11 @@ class ScanRecorder
         {
             folder_.create();
             scan_files_ = std::make_unique<ScanFiles>(folder_);
+            if (guard_) guard_->open(folder_);
         }
         counters_.add(report);
         scan_files_->add(report);
+        if (guard_) guard_->add(scan, report);
         path_.push_back(report.pose_map_vehicle);
         const bool is_in_map = poses_vehicle_laser_.size() < slam_.map().scans().size();
         if (!is_in_map) return;
@@ -66,11 +69,16 @@ class ScanRecorder
     }
 
     [[nodiscard]] const RunCounters& counters() const { return counters_; }
+    [[nodiscard]] std::optional<GuardCounts> guardCounts() const
+    {
+        return guard_ ? std::optional(guard_->counts()) : std::nullopt;
+    }
 
     /// @return the resolution of the map's picture
     double write()
     {
         scan_files_->commit();
+        if (guard_) guard_->commit();
         if (job_.wants_simple_map)
             write_packed_object(folder_.file("map.simplemap"), simple_map_.map());
         return write_map_files(
@@ -92,6 +100,7 @@ class ScanRecorder
     const Slam& slam_;
     SensorChoice sensor_;
     std::unique_ptr<ScanFiles> scan_files_;
+    std::unique_ptr<GuardReplay> guard_;
     RunCounters counters_;
     std::vector<Pose2> path_, poses_vehicle_laser_;
     SimpleMapRecorder simple_map_;
@@ -149,6 +158,7 @@ RunSummary do_run(const RunJob& job, ProgressLine& progress, const std::function
     if (run.scans == 0) throw std::runtime_error(no_scans_message(job.log, run));
 
     RunSummary summary = summary_of(job, slam, run, recorder.counters());
+    summary.guard = recorder.guardCounts();
     summary.matching_s = seconds_since(start);
     summary.matching_memory_mb = peak_memory_mb();
     summary.map_resolution_m = recorder.write();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "run/guard_replay.h"
 #include "run/progress_line.h"
 #include "run/run_summary.h"
 
@@ -17,6 +19,7 @@ struct RunJob
     bool wants_simple_map = false;
     RunLimits limits;
     RunConfig config;
+    std::optional<GuardWish> guard_wish;  ///< replay the guard, too
 };
 
 /// Runs the pipeline over the log and writes the folder of results. A run that ends early writes

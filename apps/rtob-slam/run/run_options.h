@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/avoid/guard_options.h>
+#include <rtob/avoid/vehicle_limits.h>
 #include <rtob/slam/slam_options.h>
 
 #include <cstdint>
@@ -32,12 +34,16 @@ struct RunConfig
 {
     RunOptions run;
     SlamOptions slam;
+    VehicleLimits vehicle;  ///< of the guard
+    GuardOptions guard;
 
     template <class Self, class Visit>
     static void sections(Self& s, Visit&& visit)
     {
         visit("Run", s.run);
         SlamOptions::sections(s.slam, visit);
+        visit("VehicleLimits", s.vehicle);
+        visit("Guard", s.guard);
     }
 };
 

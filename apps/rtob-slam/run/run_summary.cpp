@@ -67,6 +67,17 @@ Json beams_json(const BeamCounts& beams)
         {"thinned", beams.thinned}};
 }
 
+Json guard_json(const GuardCounts& counts)
+{
+    Json guard{{"decisions", counts.decisions}};
+    for (const auto& [reason, name] : enum_names(GuardReason{}))
+        guard[std::string(name)] = counts.reasons[static_cast<std::size_t>(reason)];
+    guard["wished_m"] = counts.wished_m;
+    guard["commanded_m"] = counts.commanded_m;
+    guard["slowest_decision_ms"] = counts.slowest_decision_ms;
+    return guard;
+}
+
 Json times_json(const RunSummary& summary)
 {
     const auto& ms = summary.counters.scanTimes();
@@ -115,6 +126,7 @@ Json groups_of(const RunSummary& summary)
         {"points", summary.map_points},
         {"in_use_mb", static_cast<double>(summary.map_bytes) / 1e6},
         {"picture_resolution_m", summary.map_resolution_m}};
+    if (summary.guard) groups["guard"] = guard_json(*summary.guard);
     groups["time"] = times_json(summary);
     groups["memory"] = {
         {"peak_until_last_scan_mb", summary.matching_memory_mb}, {"peak_mb", summary.memory_mb}};

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "run/guard_replay.h"
 #include "run/offline_run.h"
 #include "run/run_counters.h"
 #include "run/run_options.h"
@@ -18,6 +19,7 @@ struct RunSummary
     RunLimits limits;
     OfflineRun run;
     RunCounters counters;
+    std::optional<GuardCounts> guard;
     MapClock::Anomalies clock;
     TrackingState final_state = TrackingState::Init;
     bool has_odometry = false;

@@ -15,15 +15,6 @@ namespace rtob
 {
 namespace
 {
-/// Fixed decimals, the same bytes in any locale.
-std::string fixed(double value, int decimals)
-{
-    std::array<char, 400> text;  // the largest double has 309 digits before the point
-    const auto end = std::to_chars(
-        text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-    return {text.data(), end.ptr};
-}
-
 /// A stamp that is no number would make the files unreadable.
 double written_stamp(const ScanReport& report)
 {
@@ -32,21 +23,21 @@ double written_stamp(const ScanReport& report)
 
 std::string stamp_text(const ScanReport& report)
 {
-    return fixed(written_stamp(report), 6);
+    return fixed_text(written_stamp(report), 6);
 }
 
 void write_pose_line(std::ostream& out, const ScanReport& report)
 {
     const Pose2& pose = report.pose_map_vehicle;
     const auto& cov = report.covariance;
-    out << stamp_text(report) << ',' << fixed(report.map_time_s, 6) << ',' << fixed(pose.x, 6)
-        << ',' << fixed(pose.y, 6) << ',' << fixed(pose.yaw, 9) << ',' << name_of(report.state)
-        << ',' << name_of(fate_of(report));
+    out << stamp_text(report) << ',' << fixed_text(report.map_time_s, 6) << ','
+        << fixed_text(pose.x, 6) << ',' << fixed_text(pose.y, 6) << ',' << fixed_text(pose.yaw, 9)
+        << ',' << name_of(report.state) << ',' << name_of(fate_of(report));
     for (const double term : {cov(0, 0), cov(0, 1), cov(0, 2), cov(1, 1), cov(1, 2), cov(2, 2)})
         out << ',' << option_text(term);
-    out << ',' << option_text(report.mean_squared_error_m2) << ',' << fixed(report.paired_share, 4)
-        << ',' << report.pairs << ',' << report.beams.used << ',' << report.inserted << ','
-        << report.anchored << ',' << report.searched << '\n';
+    out << ',' << option_text(report.mean_squared_error_m2) << ','
+        << fixed_text(report.paired_share, 4) << ',' << report.pairs << ',' << report.beams.used
+        << ',' << report.inserted << ',' << report.anchored << ',' << report.searched << '\n';
 }
 
 void write_time_line(std::ostream& out, const ScanReport& report)
@@ -56,10 +47,18 @@ void write_time_line(std::ostream& out, const ScanReport& report)
     for (const double step_s :
          {t.total(), t.filter_s, t.prealign_s, t.draw_s, t.align_s, t.anchor_s, t.search_s,
           t.insert_s})
-        out << ',' << fixed(1e3 * step_s, 4);
+        out << ',' << fixed_text(1e3 * step_s, 4);
     out << '\n';
 }
 }  // namespace
+
+std::string fixed_text(double value, int decimals)
+{
+    std::array<char, 400> text;  // the largest double has 309 digits before the point
+    const auto end = std::to_chars(
+        text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end.ptr};
+}
 
 ScanFiles::ScanFiles(const OutputFolder& folder)
     : trajectory_(folder.file("trajectory.tum")),
