@@ -88,7 +88,7 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
         return settle({pose_map_init, {}, FitVerdict::None});
     if (map_.scans().empty()) return startMap(pose_map_init, scan.sensorLabel);
 
-    Match match = matchAround(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
+    Match match = matchGuess(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
     if (isDoubtful(match)) searchAround(pose_map_init, match);
     if (isFalseStart(match)) return startMap(pose_map_init, scan.sensorLabel);
     if (match.verdict == FitVerdict::Good && options_.remembers() &&

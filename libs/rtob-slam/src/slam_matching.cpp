@@ -16,9 +16,37 @@ namespace
 // Of what a match leaves unexplained, a search may leave this share to take its place.
 constexpr double kUnexplainedLeftWithOdometry = 1.0 / 3;
 
+// Without odometry: guesses that differ by less than this lead to the same match.
+constexpr double kSameTurn_rad = 0.03;
+// The second guess has to leave this share of what the first one leaves unexplained.
+constexpr double kBetterShare = 0.8;
+
+/// Mean squared distance of the scan's points to their neighbours, no distance counting for more
+/// than the largest of a pair [m^2].
+double unexplained_m2(const IcpResult& fit, double pair_distance_m)
+{
+    return fit.paired_share * fit.mean_squared_error +
+           (1 - fit.paired_share) * pair_distance_m * pair_distance_m;
+}
+
 // How far odometry may mislead from one match to the next: by slip, and by a share of the way.
 constexpr double kSlip_m = 0.3, kSlipShare = 1.0;
 }  // namespace
+
+/// Without odometry nobody says when a turn ends, and between two scans it may: so both is tried.
+Slam::Match Slam::matchGuess(const Pose2& pose_map_init)
+{
+    const Match going_on = matchAround(pose_map_init);
+    const Pose2& at_rest = prealignment_.last();
+    if (hasOdometry() ||
+        std::abs(wrap_angle(pose_map_init.yaw - at_rest.yaw)) < kSameTurn_rad)
+        return going_on;
+    const Match ended = matchAround(at_rest);
+    const double distance_m = options_.icp.final_pair_distance_m;
+    const bool has_ended = unexplained_m2(ended.fit, distance_m) <
+                           kBetterShare * unexplained_m2(going_on.fit, distance_m);
+    return has_ended ? ended : going_on;
+}
 
 Slam::Match Slam::matchAround(const Pose2& pose_map_init)
 {

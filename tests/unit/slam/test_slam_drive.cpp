@@ -194,6 +194,25 @@ TEST(SlamDrive, ATurnThatTheGuessMissesIsFound)
     EXPECT_THAT(report.pose_map_vehicle, test::IsNearPose(Pose2{0, 0, turn_rad}, 0.03, 0.02));
 }
 
+TEST(SlamDrive, ATurnThatEndsAtOnceIsNotCarriedOn)
+{
+    // It turns faster from scan to scan, up to 24 degrees, and then stands.
+    SlamOptions options;
+    options.search.enabled = false;
+    Slam slam(options);
+    Pose2 pose_house = test::pose_in_house(60);
+    double turned_rad = 0;
+    int k = 0;
+    for (const double turn_rad : {0.0, 0.07, 0.14, 0.21, 0.28, 0.35, 0.42, 0.0, 0.0})
+    {
+        pose_house.yaw = wrap_angle(pose_house.yaw + turn_rad);
+        turned_rad += turn_rad;
+        const ScanReport& report = slam.process(test::scan_observation(
+            test::house(), pose_house, 1000 + 0.1 * k++, test::mrpt_laser()));
+        EXPECT_THAT(report.pose_map_vehicle, test::IsNearPose(Pose2{0, 0, turned_rad}, 0.03, 0.02));
+    }
+}
+
 TEST(SlamDrive, AVehicleThatStoodDoesNotBeginAnew)
 {
     // All of its scans but the first are the same and were not written.

@@ -70,6 +70,9 @@ class Prealignment
     /// Starts from here, at rest.
     void reset(const Pose2& pose_map_vehicle);
 
+    /// Where the last scan was settled.
+    [[nodiscard]] const Pose2& last() const { return pose_map_last_; }
+
     [[nodiscard]] bool hasOdometry() const { return odometry_now_.has_value(); }
 
  private:

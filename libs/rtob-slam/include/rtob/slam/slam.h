@@ -59,6 +59,7 @@ class Slam
     void begin(double stamp_s);
     void filter(const mrpt::obs::CObservation2DRangeScan& scan);
     [[nodiscard]] Pose2 prealign();
+    [[nodiscard]] Match matchGuess(const Pose2& pose_map_init);
     [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
     [[nodiscard]] Match alignAround(const Pose2& pose_map_init);
     void drawAround(const Pose2& pose_map_init, const Box& needed_map);
