@@ -42,6 +42,12 @@ void AutopilotThread::say(int severity, const std::string& text)
     if (!options_.link.empty()) autopilot_.say(severity, text);
 }
 
+AutopilotNews AutopilotThread::news() const
+{
+    const std::lock_guard lock(mutex_);
+    return autopilot_.news();
+}
+
 AutopilotThread::Report AutopilotThread::report() const
 {
     const std::lock_guard lock(mutex_);
@@ -63,6 +69,8 @@ void AutopilotThread::live()
         {
             const std::lock_guard lock(mutex_);
             problem_ = error.what();
+            is_open_ = false;
+            static_cast<void>(autopilot_.takeBytes());
         }
         back_off.failed(BackOff::Clock::now());
         while (!ends_ && !back_off.mayTry(BackOff::Clock::now()))
@@ -77,6 +85,7 @@ void AutopilotThread::talk()
     {
         const std::lock_guard lock(mutex_);
         problem_.clear();
+        is_open_ = true;
     }
     while (!ends_)
     {
@@ -93,5 +102,7 @@ void AutopilotThread::talk()
         for (auto& observation : observations) sink_(std::move(observation));
         link->write(to_send);
     }
+    const std::lock_guard lock(mutex_);
+    link->write(autopilot_.takeBytes());  // what was said last
 }
 }  // namespace rtob

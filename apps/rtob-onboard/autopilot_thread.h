@@ -33,6 +33,14 @@ class AutopilotThread
     /// @param pose_s the moment of the report's pose
     void tell(const ScanReport& report, double pose_s);
     void say(int severity, const std::string& text);
+    /// Where there is a link now: an old command must not be sent when it comes back.
+    template <class Message>
+    void send(const Message& message)
+    {
+        const std::lock_guard lock(mutex_);
+        if (is_open_) autopilot_.send(message);
+    }
+    [[nodiscard]] AutopilotNews news() const;
     [[nodiscard]] Report report() const;
 
  private:
@@ -44,6 +52,7 @@ class AutopilotThread
     mutable std::mutex mutex_;  ///< guards what follows
     Autopilot autopilot_;
     std::string problem_;
+    bool is_open_ = false;
     std::atomic<bool> ends_{false};
     std::thread thread_;
 };

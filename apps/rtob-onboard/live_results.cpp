@@ -58,6 +58,16 @@ Json latency_json(const LiveSummary& summary)
         {"compute_p99_ms", percentile(compute, 0.99)}};
 }
 
+Json guard_json(const GuardedPilot::Report& report)
+{
+    Json guard{{"decisions", report.decisions}};
+    for (const auto& [reason, name] : enum_names(GuardReason{}))
+        guard[std::string(name)] = report.reasons[static_cast<std::size_t>(reason)];
+    guard["stalls"] = report.stalls;
+    guard["slowest_decision_ms"] = report.slowest_decision_ms;
+    return guard;
+}
+
 void write_text(const std::string& file, const std::string& text)
 {
     AtomicFile out(file);
@@ -99,6 +109,7 @@ std::string live_summary_json(const LiveSummary& summary)
         {"bytes", summary.capture.bytes},
         {"left_out", summary.capture.left_out},
         {"problem", summary.capture.problem}};
+    if (summary.pilot) json["guard"] = guard_json(*summary.pilot);
     const auto& autopilot = summary.autopilot;
     json["autopilot"] = {
         {"poses_sent", autopilot.poses_sent},

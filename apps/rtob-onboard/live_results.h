@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "autopilot_thread.h"
 #include "capture.h"
+#include "guarded_pilot.h"
 #include "localiser.h"
 #include "onboard_config.h"
 #include "run/output_folder.h"
@@ -27,6 +29,7 @@ struct LiveSummary
     std::size_t map_points = 0, map_scans = 0;
     Capture::State capture;
     AutopilotThread::Report autopilot;
+    std::optional<GuardedPilot::Report> pilot;  ///< where the guard was on
     std::vector<SensorReport> sensors;
     std::vector<std::string> problems;  ///< with the results themselves
 };

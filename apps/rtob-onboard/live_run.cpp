@@ -59,6 +59,7 @@ class LiveRun
               {
                   if (!ends_) queue_.push(observation);  // or the queue would never be empty
               }),
+          pilot_(config, autopilot_),
           localising_([this] { localise(); })
     {
         for (const auto& section : config.sensors)
@@ -69,6 +70,7 @@ class LiveRun
     /// @return whether every driver has ended
     bool end()
     {
+        pilot_.end();
         for (const auto& sensor : sensors_) sensor->askToEnd();
         bool all_ended = true;
         for (const auto& sensor : sensors_) all_ended &= sensor->waitForEnd(kPatienceAtEnd);
@@ -99,6 +101,7 @@ class LiveRun
         summary.dropped_scans = queue_.droppedScans();
         summary.capture = capture_.state();
         summary.autopilot = autopilot_.report();
+        if (config_.pilot.enabled) summary.pilot = pilot_.report();
         for (const auto& sensor : sensors_) summary.sensors.push_back(sensor->report());
         summary.map_points = localiser_.slam().map().size();
         summary.map_scans = localiser_.slam().map().scans().size();
@@ -132,6 +135,9 @@ class LiveRun
         if (report == nullptr) return;
         const double latency_s = unix_time_s() - localiser_.lastBeamTime();
         autopilot_.tell(*report, localiser_.poseTime());
+        if (const auto* scan =
+                dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(item.observation.get()))
+            pilot_.take(*scan, localiser_.sweep(), *report, localiser_.poseTime());
         tellState(*report);
         const std::lock_guard lock(mutex_);
         summary_.counters.add(*report);
@@ -183,6 +189,7 @@ class LiveRun
     std::atomic<bool> ends_{false};
     ObservationQueue queue_;
     AutopilotThread autopilot_;
+    GuardedPilot pilot_;
     std::thread localising_;
     std::vector<std::shared_ptr<SensorRunner>> sensors_;
 };

@@ -22,6 +22,8 @@ class Localiser
     /// When the last beam of the scan that was taken last was measured; its stamp where the log
     /// does not say how long it took.
     [[nodiscard]] double lastBeamTime() const { return last_beam_s_; }
+    /// How long the beams of that scan took; 0 where nobody tells.
+    [[nodiscard]] double sweep() const { return last_beam_s_ - stamp_s_; }
     /// The moment of the last pose: a scan that is not straightened fits best where the vehicle was
     /// in the middle of the sweep.
     [[nodiscard]] double poseTime() const { return 0.5 * (stamp_s_ + last_beam_s_); }

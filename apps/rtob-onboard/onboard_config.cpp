@@ -74,6 +74,18 @@ bool is_ignored(const mrpt::config::CConfigFileBase& ini, const std::string& sec
         parse_option(config_value(ini, section, "rawlog-grabber-ignore"), ignored);
     return ignored;
 }
+/// What one section alone cannot know.
+void check_pilot(const mrpt::config::CConfigFileBase& ini, const OnboardConfig& config)
+{
+    if (!config.pilot.enabled) return;
+    const std::string where = config_name(ini) + ", section [Pilot], key ";
+    if (config.autopilot.link.empty())
+        throw std::runtime_error(
+            where + "enabled: there is nobody to send velocities to; set [Autopilot] link");
+    if (config.pilot.command_hz * config.run.vehicle.period_s < 2)
+        throw std::runtime_error(
+            where + "command_hz: must be at least 2 / [VehicleLimits] period_s");
+}
 }  // namespace
 
 void OnboardOptions::validate() const
@@ -116,6 +128,7 @@ OnboardConfig load_onboard_config(const mrpt::config::CConfigFileBase& ini)
         {
             if (ini.sectionExists(name)) load_options(ini, name, options);
         });
+    check_pilot(ini, config);
     config.run.slam.seed = config.run.run.seed;
     if (config.sensors.empty())
         throw std::runtime_error(

@@ -2,11 +2,13 @@
 #pragma once
 #include <mrpt/config/CConfigFile.h>
 #include <rtob/drivers/autopilot_options.h>
+#include <rtob/drivers/pilot_stick.h>
 
 #include <string>
 #include <vector>
 
 #include "onboard_options.h"
+#include "pilot_options.h"
 #include "run/run_options.h"
 
 namespace rtob
@@ -27,6 +29,8 @@ struct OnboardConfig
     CaptureOptions capture;
     StateStreamOptions stream;
     AutopilotOptions autopilot;
+    PilotOptions pilot;
+    StickOptions stick;
     std::vector<SensorSection> sensors;
 
     template <class Self, class Visit>
@@ -36,6 +40,8 @@ struct OnboardConfig
         visit("Capture", s.capture);
         visit("StateStream", s.stream);
         visit("Autopilot", s.autopilot);
+        visit("Pilot", s.pilot);
+        visit("Stick", s.stick);
     }
 };
 

@@ -59,13 +59,27 @@ inline void wait_s(double seconds)
     };
 }
 
+/// A UDP port of this computer that nobody has.
+[[nodiscard]] inline int free_udp_port()
+{
+    const int probe = socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    bind(probe, reinterpret_cast<sockaddr*>(&address), size);
+    getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
+    close(probe);
+    return ntohs(address.sin_port);
+}
+
 /// A flight controller on a UDP port: it beats, tells its attitude, answers questions for the time,
 /// and keeps the poses that it is told.
 class EmulatedAutopilot
 {
  public:
     EmulatedAutopilot()
-        : port_(freePort()),
+        : port_(free_udp_port()),
           link_(open_link("udpin:127.0.0.1:" + std::to_string(port_), 0)),
           thread_([this] { live(); })
     {
@@ -90,19 +104,6 @@ class EmulatedAutopilot
     [[nodiscard]] std::size_t heartbeats() const { return heartbeats_; }
 
  private:
-    static int freePort()
-    {
-        const int probe = socket(AF_INET, SOCK_DGRAM, 0);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        bind(probe, reinterpret_cast<sockaddr*>(&address), size);
-        getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
-        close(probe);
-        return ntohs(address.sin_port);
-    }
-
     void live()
     {
         MavlinkReader reader;

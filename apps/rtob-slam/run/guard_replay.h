@@ -28,7 +28,7 @@ struct GuardCounts
     std::array<std::uint64_t, enum_names(GuardReason{}).size()> reasons{};
     std::uint64_t decisions = 0;
     double wished_m = 0, commanded_m = 0;  ///< sums of speed times time
-    double slowest_decision_ms = 0;  ///< of the processor, with the scan before it
+    double slowest_decision_ms = 0;        ///< of the processor, with the scan before it
 };
 
 /// Asks the guard after each scan of a run what it would have commanded: guard.csv. The log goes on

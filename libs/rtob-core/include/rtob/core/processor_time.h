@@ -4,8 +4,8 @@
 
 namespace rtob
 {
-/// The processor's time [s] that this thread has used: unlike a clock, it does not tell how busy the
-/// machine is with others.
+/// The processor's time [s] that this thread has used: unlike a clock, it does not tell how busy
+/// the machine is with others.
 [[nodiscard]] inline double thread_processor_time_s()
 {
     timespec now{};
