@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_watch.h"
 
+#include <cmath>
+
 #include "guard_messages.h"
 
 namespace rtob
@@ -16,7 +18,7 @@ void CommandWatch::put(GuardCommand command, double now_s)
 GuardCommand CommandWatch::take(double now_s)
 {
     const std::lock_guard lock(mutex_);
-    if (now_s - decided_s_ <= max_stall_s_) return command_;
+    if (std::abs(now_s - decided_s_) <= max_stall_s_) return command_;
     stalls_ += is_stalled_ ? 0 : 1;
     is_stalled_ = true;
     GuardCommand stop;

@@ -49,6 +49,7 @@ TEST(PilotStick, OldSticksWishNothing)
     const StickOptions options;
     EXPECT_TRUE(pilot_wish(manual_news(1000, 0, 0), options, 100.49));
     EXPECT_FALSE(pilot_wish(manual_news(1000, 0, 0), options, 100.51));
+    EXPECT_FALSE(pilot_wish(manual_news(1000, 0, 0), options, 99));  // the clock was set back
     EXPECT_FALSE(pilot_wish({}, options, 100));
 }
 

@@ -101,7 +101,8 @@ TEST(CommandWatch, StopsWhenDecisionsStopComing)
     EXPECT_EQ(stop.state, "STALLED");
     EXPECT_TRUE(stop.is_warning);
     static_cast<void>(watch.take(101));
-    EXPECT_EQ(watch.stalls(), 1u);  // one, however long
+    EXPECT_EQ(watch.stalls(), 1u);               // one, however long
+    EXPECT_EQ(watch.take(50).state, "STALLED");  // the clock was set back
     watch.put(command, 102);
     EXPECT_EQ(watch.take(102).state, "FREE");
 }

@@ -2,6 +2,8 @@
 #pragma once
 #include <rtob/drivers/mavlink_messages.h>
 
+#include <cmath>
+
 namespace rtob
 {
 /// The newest message of a kind.
@@ -11,9 +13,10 @@ struct Heard
     Message message;
     double time_s = -1e9;  ///< when it came, UNIX time
 
+    /// What comes from the future, because the clock was set back, is not young.
     [[nodiscard]] bool isYoungerThan(double age_s, double now_s) const
     {
-        return now_s - time_s < age_s;
+        return std::abs(now_s - time_s) < age_s;
     }
 };
 
