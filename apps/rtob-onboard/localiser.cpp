@@ -20,7 +20,7 @@ const ScanReport* Localiser::take(const mrpt::obs::CObservation& observation)
     {
         sweep_s_ = timing->sweep_s;
         sweep_stamp_ = observation.timestamp;
-        return nullptr;
+        return slam_.observe(observation);
     }
     const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation);
     if (scan == nullptr)

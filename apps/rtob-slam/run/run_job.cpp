@@ -128,6 +128,7 @@ RunSummary summary_of(
     summary.clock = slam.map().clock().anomalies();
     summary.final_state = slam.state();
     summary.has_odometry = slam.hasOdometry();
+    summary.sensors = sensor_figures(slam.motion());
     summary.map_points = slam.map().size();
     summary.map_scans = slam.map().scans().size();
     summary.map_bytes = slam.map().bytesInUse();

@@ -64,7 +64,8 @@ Json beams_json(const BeamCounts& beams)
         {"too_near", beams.too_near},
         {"too_far", beams.too_far},
         {"masked", beams.masked},
-        {"thinned", beams.thinned}};
+        {"thinned", beams.thinned},
+        {"floor_or_ceiling", beams.floor_or_ceiling}};
 }
 
 Json guard_json(const GuardCounts& counts)
@@ -119,6 +120,8 @@ Json groups_of(const RunSummary& summary)
         {"repeats", clock.repeats},
         {"jumps", clock.jumps},
         {"invalid", clock.invalid}};
+    for (const auto& figures : summary.sensors)
+        groups["sensor " + std::string(name_of(figures.sensor))] = sensor_json(figures);
     groups["drive"] = {
         {"path_m", summary.counters.pathLength()}, {"duration_s", summary.counters.logTime()}};
     groups["map"] = {

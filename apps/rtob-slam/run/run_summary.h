@@ -3,11 +3,13 @@
 #include <rtob/core/map_clock.h>
 
 #include <string>
+#include <vector>
 
 #include "run/guard_replay.h"
 #include "run/offline_run.h"
 #include "run/run_counters.h"
 #include "run/run_options.h"
+#include "run/sensor_figures.h"
 
 namespace rtob
 {
@@ -23,6 +25,7 @@ struct RunSummary
     MapClock::Anomalies clock;
     TrackingState final_state = TrackingState::Init;
     bool has_odometry = false;
+    std::vector<SensorFigures> sensors;
     std::size_t map_points = 0, map_scans = 0, map_bytes = 0;
     double map_resolution_m = 0;
     double matching_s = 0;          ///< wall time from the first entry to the last

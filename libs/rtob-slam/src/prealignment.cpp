@@ -90,6 +90,14 @@ Pose2 Prealignment::predict(double stamp_s) const
     return pose_map_last_;
 }
 
+Twist2 Prealignment::twist(double stamp_s) const
+{
+    const double step_s = stepTo(stamp_s);
+    if (!started_ || !(step_s > 0)) return {};
+    const Pose2 moved = between(pose_map_last_, predict(stamp_s));
+    return {moved.x / step_s, moved.y / step_s, moved.yaw / step_s};
+}
+
 void Prealignment::settle(double stamp_s, const Pose2& pose_map_vehicle, bool matched)
 {
     const double step_s = stepTo(stamp_s);

@@ -6,6 +6,25 @@
 
 namespace rtob
 {
+namespace
+{
+/// Where a beam ended, with the axes of the level vehicle.
+struct Hit
+{
+    double x, y, z;
+};
+
+Hit hit_of(const mrpt::poses::CPose3D& pose_laser, float cos, float sin, float range)
+{
+    const auto& rotation = pose_laser.getRotationMatrix();
+    const double x = range * cos, y = range * sin;
+    return {
+        pose_laser.x() + rotation(0, 0) * x + rotation(0, 1) * y,
+        pose_laser.y() + rotation(1, 0) * x + rotation(1, 1) * y,
+        pose_laser.z() + rotation(2, 0) * x + rotation(2, 1) * y};
+}
+}  // namespace
+
 void ScanFilterOptions::validate() const
 {
     require(min_range_m >= 0, "min_range_m", min_range_m, ">= 0");
@@ -24,6 +43,7 @@ BeamCounts& BeamCounts::operator+=(const BeamCounts& other)
     too_far += other.too_far;
     masked += other.masked;
     thinned += other.thinned;
+    floor_or_ceiling += other.floor_or_ceiling;
     return *this;
 }
 
@@ -53,8 +73,19 @@ void ScanFilter::lookUpDirections(const mrpt::obs::CObservation2DRangeScan& scan
     }
 }
 
+/// The beams follow each other in the order of their index; the pose is for the middle one.
+void ScanFilter::lookUpMotion(const ScanGeometry& geometry, std::size_t beams)
+{
+    motion_.resize(beams);
+    for (std::size_t i = 0; i < beams; ++i)
+    {
+        const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(beams) - 0.5;
+        motion_[i] = carried(geometry.twist, share * geometry.sweep_s);
+    }
+}
+
 BeamCounts ScanFilter::filter(
-    const mrpt::obs::CObservation2DRangeScan& scan, const mrpt::poses::CPose3D& pose_vehicle_laser,
+    const mrpt::obs::CObservation2DRangeScan& scan, const ScanGeometry& geometry,
     Points& points_vehicle)
 {
     lookUpDirections(scan);
@@ -63,7 +94,8 @@ BeamCounts ScanFilter::filter(
     const std::size_t beams = scan.getScanSize();
     const auto wanted = static_cast<std::size_t>(options_.max_beams);
     const std::size_t stride = (beams + wanted - 1) / wanted;
-    const auto& rotation = pose_vehicle_laser.getRotationMatrix();
+    const bool is_skewed = geometry.isSkewed();
+    if (is_skewed) lookUpMotion(geometry, beams);
     for (std::size_t i = 0; i < beams; ++i)
     {
         const float range = scan.getScanRange(i);
@@ -84,13 +116,16 @@ BeamCounts ScanFilter::filter(
             ++counts.thinned;
         else
         {
+            const Hit hit = hit_of(geometry.pose_level_laser, direction.cos, direction.sin, range);
+            if (hit.z < geometry.lowest_m || hit.z > geometry.highest_m)
+            {
+                ++counts.floor_or_ceiling;
+                continue;
+            }
             ++counts.used;
-            const double x = range * direction.cos, y = range * direction.sin;
-            points_vehicle.add(
-                static_cast<float>(
-                    pose_vehicle_laser.x() + rotation(0, 0) * x + rotation(0, 1) * y),
-                static_cast<float>(
-                    pose_vehicle_laser.y() + rotation(1, 0) * x + rotation(1, 1) * y));
+            const Pose2 at =
+                is_skewed ? compose(motion_[i], {hit.x, hit.y, 0}) : Pose2{hit.x, hit.y, 0};
+            points_vehicle.add(static_cast<float>(at.x), static_cast<float>(at.y));
         }
     }
     return counts;

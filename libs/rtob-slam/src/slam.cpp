@@ -52,6 +52,7 @@ Slam::Slam(const SlamOptions& options)
       map_(map_options(options)),
       sensor_(options.sensor),
       filter_(options.scan_filter),
+      motion_(options.prealign.source, options.fusion, options.scan),
       prealignment_(options.prealign),
       icp_(options.icp),
       tracking_(options.tracking),
@@ -70,18 +71,21 @@ const ScanReport* Slam::observe(const mrpt::obs::CObservation& observation)
 {
     if (const auto* odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation))
         prealignment_.addOdometry(to_pose2(odometry->odometry));
+    motion_.observe(observation);
     const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation);
     return scan != nullptr && sensor_.uses(*scan) ? &process(*scan) : nullptr;
 }
 
 void Slam::observe(const mrpt::obs::CActionRobotMovement2D& motion)
 {
-    prealignment_.addMotion(to_pose2(motion.poseChange->getMeanVal()));
+    const Pose2 pose_prev_now = to_pose2(motion.poseChange->getMeanVal());
+    prealignment_.addMotion(pose_prev_now);
+    motion_.addMotion(pose_prev_now);
 }
 
 const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
 {
-    begin(stamp_of(scan));
+    begin(scan);
     filter(scan);                            // 1. eq. 1
     const Pose2 pose_map_init = prealign();  // 2. eq. 2 and 3
     if (is_too_small(points_vehicle_, options_.fit_gate))
@@ -102,8 +106,9 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     return report_;                   // 8.
 }
 
-void Slam::begin(double stamp_s)
+void Slam::begin(const mrpt::obs::CObservation2DRangeScan& scan)
 {
+    const double stamp_s = stamp_of(scan);
     const TrackingState state = report_.state;
     const Eigen::Matrix3d covariance = report_.covariance;
     report_ = ScanReport();
@@ -112,18 +117,27 @@ void Slam::begin(double stamp_s)
     report_.map_time_s = map_.tick(stamp_s);
     report_.state = state;
     report_.covariance = covariance;
+    const StepTimer timer(report_.times.prealign_s);
+    motion_.beginScan(stamp_s, scan);
 }
 
 void Slam::filter(const mrpt::obs::CObservation2DRangeScan& scan)
 {
     const StepTimer timer(report_.times.filter_s);
-    report_.beams = filter_.filter(scan, sensor_.mountOf(scan), points_vehicle_);
+    const ScanGeometry geometry =
+        motion_.geometry(sensor_.mountOf(scan), prealignment_.twist(report_.stamp_s));
+    report_.beams = filter_.filter(scan, geometry, points_vehicle_);
 }
 
 Pose2 Slam::prealign()
 {
     const StepTimer timer(report_.times.prealign_s);
-    return prealignment_.predict(report_.stamp_s);
+    return predicted();
+}
+
+Pose2 Slam::predicted() const
+{
+    return motion_.decides() ? motion_.predicted().pose() : prealignment_.predict(report_.stamp_s);
 }
 
 /// Whether the scan is to join the map, if nothing speaks against it.
@@ -171,8 +185,7 @@ void Slam::report(const Match& match, TrackingState state)
     const bool matched = state == TrackingState::Tracking || state == TrackingState::Relocalising;
     report_.state = state;
     report_.verdict = match.verdict;
-    report_.pose_map_vehicle =
-        matched ? match.pose_map_vehicle : prealignment_.predict(report_.stamp_s);
+    report_.pose_map_vehicle = matched ? match.pose_map_vehicle : predicted();
     if (matched)
     {
         report_.covariance = match.fit.covariance;
@@ -186,6 +199,7 @@ void Slam::report(const Match& match, TrackingState state)
     report_.paired_share = match.fit.paired_share;
     report_.pairs = match.fit.pairs;
     prealignment_.settle(report_.stamp_s, report_.pose_map_vehicle, matched);
+    motion_.settle(report_.pose_map_vehicle, report_.covariance, matched);
 }
 
 /// Only what was matched while TRACKING enters the map. What a search found must first be confirmed
@@ -222,6 +236,7 @@ void Slam::continueIn(const RtobMap& map, const Pose2& pose_map_vehicle)
 void Slam::reset(const Pose2& pose_map_vehicle)
 {
     prealignment_.reset(pose_map_vehicle);
+    motion_.reset(pose_map_vehicle);
     matched_at_ = pose_map_vehicle;
     local_.drop();
     report_.pose_map_vehicle = pose_map_vehicle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <rtob/core/pose2.h>
+#include <rtob/fusion/motion_state.h>
 
 #include <array>
 #include <limits>
@@ -13,19 +14,22 @@ namespace rtob
 /// Where a scan's first guess comes from, sec. 2.1.2.
 enum class PrealignSource
 {
-    Auto,              ///< odometry while it arrives, else constant velocity
+    Auto,              ///< fusion once a gyro or optical flow is there, else odometry while it
+                       ///< arrives, else constant velocity
     LastPose,          ///< the paper's first way
     ConstantVelocity,  ///< the last scan's motion goes on
-    Odometry           ///< odometry while it arrives, else the last pose
+    Odometry,          ///< odometry while it arrives, else the last pose
+    Fusion             ///< the paper's second way: a Kalman filter of all motion sensors
 };
 
 constexpr auto enum_names(PrealignSource)
 {
-    return std::array<std::pair<PrealignSource, std::string_view>, 4>{
+    return std::array<std::pair<PrealignSource, std::string_view>, 5>{
         {{PrealignSource::Auto, "auto"},
          {PrealignSource::LastPose, "last_pose"},
          {PrealignSource::ConstantVelocity, "constant_velocity"},
-         {PrealignSource::Odometry, "odometry"}}};
+         {PrealignSource::Odometry, "odometry"},
+         {PrealignSource::Fusion, "fusion"}}};
 }
 
 struct PrealignOptions
@@ -62,6 +66,9 @@ class Prealignment
 
     /// @param stamp_s the scan's own.
     [[nodiscard]] Pose2 predict(double stamp_s) const;
+
+    /// Of the vehicle from the last scan to this one, as predict() has it.
+    [[nodiscard]] Twist2 twist(double stamp_s) const;
 
     /// To be called after each scan with the pose that was settled on.
     /// @param matched the pose was measured: only then does it give a velocity.

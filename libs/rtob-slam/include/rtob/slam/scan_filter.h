@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <rtob/core/points.h>
 #include <rtob/map/angle_mask.h>
+#include <rtob/slam/scan_geometry.h>
 
 #include <cstdint>
 #include <string>
@@ -39,7 +40,7 @@ struct ScanFilterOptions
 struct BeamCounts
 {
     std::uint64_t used = 0, invalid = 0, not_a_number = 0, not_positive = 0, too_near = 0,
-                  too_far = 0, masked = 0, thinned = 0;
+                  too_far = 0, masked = 0, thinned = 0, floor_or_ceiling = 0;
     BeamCounts& operator+=(const BeamCounts& other);
 };
 
@@ -51,8 +52,15 @@ class ScanFilter
     explicit ScanFilter(const ScanFilterOptions& options = {});
 
     BeamCounts filter(
+        const mrpt::obs::CObservation2DRangeScan& scan, const ScanGeometry& geometry,
+        Points& points_vehicle);
+    /// Of a vehicle that is level and stands still.
+    BeamCounts filter(
         const mrpt::obs::CObservation2DRangeScan& scan,
-        const mrpt::poses::CPose3D& pose_vehicle_laser, Points& points_vehicle);
+        const mrpt::poses::CPose3D& pose_vehicle_laser, Points& points_vehicle)
+    {
+        return filter(scan, ScanGeometry{pose_vehicle_laser}, points_vehicle);
+    }
 
  private:
     struct Direction
@@ -61,11 +69,13 @@ class ScanFilter
         bool masked = false;
     };
     void lookUpDirections(const mrpt::obs::CObservation2DRangeScan& scan);
+    void lookUpMotion(const ScanGeometry& geometry, std::size_t beams);
 
     ScanFilterOptions options_;
     AngleMask mask_;
     std::vector<Direction> directions_;  ///< of the last kind of scan seen
     float aperture_rad_ = -1;
     bool right_to_left_ = true;
+    std::vector<Pose2> motion_;  ///< of the vehicle, from the pose's instant to each beam's
 };
 }  // namespace rtob

@@ -8,6 +8,7 @@
 #include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
+#include <rtob/slam/motion_sense.h>
 #include <rtob/slam/scan_report.h>
 #include <rtob/slam/slam_options.h>
 #include <rtob/slam/travel_log.h>
@@ -22,8 +23,8 @@ class Slam
     /// @throws std::invalid_argument naming a key out of its range
     explicit Slam(const SlamOptions& options = {});
 
-    /// Takes any observation: odometry is kept for the next scan, a scan of a chosen laser is
-    /// processed, anything else is passed over.
+    /// Takes any observation: what tells of motion is kept for the next scan, a scan of a chosen
+    /// laser is processed, anything else is passed over.
     /// @return the report of a scan, or null.
     const ScanReport* observe(const mrpt::obs::CObservation& observation);
 
@@ -44,6 +45,7 @@ class Slam
     [[nodiscard]] const Pose2& pose() const { return report_.pose_map_vehicle; }
     [[nodiscard]] TrackingState state() const { return tracking_.state(); }
     [[nodiscard]] const SlamOptions& options() const { return options_; }
+    [[nodiscard]] const MotionSense& motion() const { return motion_; }
     [[nodiscard]] bool hasOdometry() const { return prealignment_.hasOdometry(); }
 
  private:
@@ -56,10 +58,11 @@ class Slam
         bool is_found = false;  ///< by a search, which the next scan has to confirm
     };
 
-    void begin(double stamp_s);
+    void begin(const mrpt::obs::CObservation2DRangeScan& scan);
     void filter(const mrpt::obs::CObservation2DRangeScan& scan);
     [[nodiscard]] Pose2 prealign();
     [[nodiscard]] Match matchGuess(const Pose2& pose_map_init);
+    [[nodiscard]] Pose2 predicted() const;
     [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
     [[nodiscard]] Match alignAround(const Pose2& pose_map_init);
     void drawAround(const Pose2& pose_map_init, const Box& needed_map);
@@ -80,6 +83,7 @@ class Slam
     RtobMap map_;
     SensorChoice sensor_;
     ScanFilter filter_;
+    MotionSense motion_;
     Prealignment prealignment_;
     Icp icp_;
     TrackingStateMachine tracking_;

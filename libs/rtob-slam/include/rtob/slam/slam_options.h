@@ -3,6 +3,7 @@
 #include <rtob/core/icp.h>
 #include <rtob/core/reference_draw.h>
 #include <rtob/core/time_density.h>
+#include <rtob/fusion/fusion_options.h>
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/fit_gate.h>
 #include <rtob/slam/insertion_policy.h>
@@ -11,6 +12,7 @@
 #include <rtob/slam/loop_search.h>
 #include <rtob/slam/prealignment.h>
 #include <rtob/slam/scan_filter.h>
+#include <rtob/slam/scan_geometry.h>
 #include <rtob/slam/sensor_choice.h>
 #include <rtob/slam/tracking.h>
 
@@ -21,8 +23,10 @@ namespace rtob
 struct SlamOptions
 {
     SensorOptions sensor;
+    ScanGeometryOptions scan;
     ScanFilterOptions scan_filter;
     PrealignOptions prealign;
+    FusionOptions fusion;
     DensityOptions density;
     DrawOptions draw;
     ReferenceOptions reference;
@@ -42,8 +46,10 @@ struct SlamOptions
     static void sections(Self& s, Visit&& visit)
     {
         visit("Sensor", s.sensor);
+        visit("Scan", s.scan);
         visit("ScanFilter", s.scan_filter);
         visit("Prealign", s.prealign);
+        visit("Fusion", s.fusion);
         visit("Density", s.density);
         visit("Draw", s.draw);
         visit("Reference", s.reference);
