@@ -13,6 +13,7 @@ import sys
 
 import experiment_changes
 import experiment_envelope
+import experiment_gyro
 import experiment_hour
 import experiment_loops
 from experiment_runs import OUT, WORLDS, call, figures, run, simulate, spread_table
@@ -58,6 +59,7 @@ EXPERIMENTS = {
     "loops": lambda _, options: experiment_loops.experiment(options),
     "cupboard": lambda _, options: experiment_changes.experiment(options),
     "envelope": lambda _, options: experiment_envelope.experiment(options),
+    "gyro": lambda _, options: experiment_gyro.experiment(options),
     "hour": lambda _, options: experiment_hour.experiment(options),
 }
 

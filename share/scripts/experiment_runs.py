@@ -22,12 +22,12 @@ def call(*arguments, allow=(0,)):
     return done
 
 
-def simulate(world, seed, folder, *flags):
-    """Returns log and truth. Without odometry or IMU, as in the paper."""
+def simulate(world, seed, folder, *flags, laser_only=True):
+    """Returns log and truth. Without odometry or IMU, as in the paper, unless told otherwise."""
     folder.mkdir(parents=True, exist_ok=True)
     log = folder / f"{pathlib.Path(world).stem}-{seed}.rawlog"
-    call("simulate", world, "-o", log, "--seed", seed, "--laser-only", "--overwrite", "--quiet",
-         *flags)
+    call("simulate", world, "-o", log, "--seed", seed, "--overwrite", "--quiet",
+         *(["--laser-only"] if laser_only else []), *flags)
     return log, log.with_suffix(".truth.tum")
 
 
