@@ -92,10 +92,9 @@ Pose2 Prealignment::predict(double stamp_s) const
 
 Twist2 Prealignment::twist(double stamp_s) const
 {
-    const double step_s = stepTo(stamp_s);
-    if (!started_ || !(step_s > 0)) return {};
-    const Pose2 moved = between(pose_map_last_, predict(stamp_s));
-    return {moved.x / step_s, moved.y / step_s, moved.yaw / step_s};
+    if (!started_) return {};
+    const Pose2 velocity = velocityOver(stepTo(stamp_s), predict(stamp_s));
+    return {velocity.x, velocity.y, velocity.yaw};
 }
 
 void Prealignment::settle(double stamp_s, const Pose2& pose_map_vehicle, bool matched)
