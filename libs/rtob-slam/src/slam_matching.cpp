@@ -33,12 +33,13 @@ double unexplained_m2(const IcpResult& fit, double pair_distance_m)
 constexpr double kSlip_m = 0.3, kSlipShare = 1.0;
 }  // namespace
 
-/// Without odometry nobody says when a turn ends, and between two scans it may: so both is tried.
+/// Without odometry and gyro nobody says when a turn ends, and between two scans it may: so both is
+/// tried.
 Slam::Match Slam::matchGuess(const Pose2& pose_map_init)
 {
     const Match going_on = matchAround(pose_map_init);
     const Pose2& at_rest = prealignment_.last();
-    if (hasOdometry() ||
+    if (hasOdometry() || motion_.decides() ||
         std::abs(wrap_angle(pose_map_init.yaw - at_rest.yaw)) < kSameTurn_rad)
         return going_on;
     const Match ended = matchAround(at_rest);
