@@ -28,6 +28,14 @@ namespace
 // large one.
 constexpr double kShareSlack = 0.75, kFarShareSlack = 0.9;
 
+/// The way since the last hold may have gone astray by more than one step's guess can: nothing
+/// resists.
+IcpOptions unheld(IcpOptions options)
+{
+    options.weak_share = 0;
+    return options;
+}
+
 IcpOptions with_pair_distance(IcpOptions options, double max_pair_distance_m)
 {
     options.max_pair_distance_m = std::max(max_pair_distance_m, options.final_pair_distance_m);
@@ -39,8 +47,8 @@ Anchor::Anchor(
     const AnchorOptions& options, const IcpOptions& icp, const DensityOptions& density,
     const DrawOptions& draw, const ReferenceOptions& reference, std::uint64_t seed)
     : options_(options),
-      icp_(icp),
-      wide_icp_(with_pair_distance(icp, options.max_pair_distance_m)),
+      icp_(unheld(icp)),
+      wide_icp_(with_pair_distance(unheld(icp), options.max_pair_distance_m)),
       density_(density),
       draw_(draw),
       old_(reference),
