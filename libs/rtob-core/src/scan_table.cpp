@@ -29,6 +29,28 @@ void ScanTable::append(double time_s, const Pose2& pose_map_vehicle, std::uint32
     densest_second_ = std::max(densest_second_, size() - second_begin_);
 }
 
+void ScanTable::keepOnly(const std::vector<char>& keep)
+{
+    std::size_t kept = 0, kept_before_second = 0;
+    scan_of_page_.clear();
+    std::uint64_t begin = 0;  // of the scan, before it moves
+    for (std::size_t scan = 0; scan < keep.size(); ++scan)
+    {
+        const std::uint64_t end = first_point_[scan + 1], points = end - begin;
+        begin = end;
+        if (scan == second_begin_) kept_before_second = kept;
+        if (keep[scan] == 0) continue;
+        for (auto* column : {&time_s_, &x_, &y_, &yaw_}) (*column)[kept] = (*column)[scan];
+        const std::uint64_t end_now = first_point_[kept] + points;
+        while ((static_cast<std::uint64_t>(scan_of_page_.size()) << kPageBits) < end_now)
+            scan_of_page_.push_back(static_cast<std::uint32_t>(kept));
+        first_point_[++kept] = end_now;
+    }
+    for (auto* column : {&time_s_, &x_, &y_, &yaw_}) column->resize(kept);
+    first_point_.resize(kept + 1);
+    second_begin_ = kept_before_second;
+}
+
 void ScanTable::clear()
 {
     *this = ScanTable();

@@ -72,6 +72,17 @@ void VisitIndex::reserve(std::size_t scans)
     }
     levels_.reserve(levels_.size() + prepared_.size());
     std::reverse(prepared_.begin(), prepared_.end());
+    prepared_.reserve(levels_.size() + prepared_.size());
+}
+
+void VisitIndex::restart()
+{
+    for (; !levels_.empty(); levels_.pop_back())
+    {
+        levels_.back().clear();
+        prepared_.push_back(std::move(levels_.back()));
+    }
+    size_ = 0;
 }
 
 /// Adds a level of one node, over all that the level below holds so far.

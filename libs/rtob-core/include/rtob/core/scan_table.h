@@ -23,6 +23,9 @@ class ScanTable
     void append(double time_s, const Pose2& pose_map_vehicle, std::uint32_t point_count);
     void clear();
     void reserve(std::size_t scans, std::size_t points);
+    /// Forgets all other scans; those that stay move up. Allocates nothing.
+    /// @param keep one entry a scan: 0 to forget it.
+    void keepOnly(const std::vector<char>& keep);
 
     [[nodiscard]] std::size_t size() const { return time_s_.size(); }
     [[nodiscard]] bool empty() const { return time_s_.empty(); }

@@ -19,6 +19,8 @@ class VisitIndex
  public:
     void append(double x, double y);
     void clear() { *this = VisitIndex(); }
+    /// Empty again, with the room it has: append() allocates nothing until it is used up.
+    void restart();
     /// Room for so many scans in all: append() allocates nothing until then.
     void reserve(std::size_t scans);
 
