@@ -98,19 +98,47 @@ void RtobMap::insertScan(
     mark_as_modified();
 }
 
+void RtobMap::keepOnly(const std::vector<char>& keep)
+{
+    (void)view();  // refuses points and scans that do not belong together
+    std::size_t kept = 0;
+    for (std::size_t scan = 0; scan < scans().size(); ++scan)
+    {
+        if (keep.at(scan) == 0) continue;
+        const auto first = static_cast<std::ptrdiff_t>(scans().firstPoint(scan));
+        const auto end = static_cast<std::ptrdiff_t>(scans().firstPoint(scan + 1));
+        const auto to = static_cast<std::ptrdiff_t>(kept);
+        for (auto* column : {&m_x, &m_y, &m_z})
+            std::copy(column->begin() + first, column->begin() + end, column->begin() + to);
+        kept += static_cast<std::size_t>(end - first);
+    }
+    for (auto* column : {&m_x, &m_y, &m_z}) column->resize(kept);
+    state_.scans.keepOnly(keep);
+    state_.visits.restart();
+    for (std::size_t scan = 0; scan < scans().size(); ++scan)
+        state_.visits.append(scans().x(scan), scans().y(scan));
+    matching_.sample.reset();
+    mark_as_modified();
+}
+
+void RtobMap::reserveOnce(std::size_t scans, std::size_t points)
+{
+    reserve(points);
+    for (const auto* column : {&m_x, &m_y})
+        prefer_large_pages(column->data(), column->capacity() * sizeof(float));
+    state_.scans_reserved = std::max(scans, state_.scans_reserved);
+    state_.scans.reserve(state_.scans_reserved, points);
+    state_.visits.reserve(state_.scans_reserved);
+}
+
 void RtobMap::reserveFor(std::size_t more_points)
 {
     const std::size_t points = size() + more_points;
     if (points <= m_x.capacity() && scans().size() < state_.scans_reserved) return;
     const std::size_t points_wanted =
         points <= m_x.capacity() ? m_x.capacity() : std::max({points, 2 * size(), kPointBlock});
-    reserve(points_wanted);
-    for (const auto* column : {&m_x, &m_y})
-        prefer_large_pages(column->data(), column->capacity() * sizeof(float));
-    if (scans().size() >= state_.scans_reserved)
-        state_.scans_reserved = std::max(2 * scans().size(), kScanBlock);
-    state_.scans.reserve(state_.scans_reserved, points_wanted);
-    state_.visits.reserve(state_.scans_reserved);
+    const bool needs_scans = scans().size() >= state_.scans_reserved;
+    reserveOnce(needs_scans ? std::max(2 * scans().size(), kScanBlock) : 0, points_wanted);
 }
 
 void RtobMap::appendScan(double time_s, const Pose2& pose_map_vehicle, std::size_t point_count)

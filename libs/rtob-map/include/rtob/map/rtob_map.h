@@ -14,6 +14,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rtob
 {
@@ -59,6 +60,13 @@ class RtobMap : public mrpt::maps::CSimplePointsMap
     /// @param time_s map time, from tick(). @param points_vehicle finite numbers.
     /// @throws std::invalid_argument for a time before the last scan's
     void insertScan(double time_s, const Pose2& pose_map_vehicle, const PointsView& points_vehicle);
+
+    /// Forgets all other scans and their points; those that stay move up, and the clock goes on.
+    /// Allocates nothing. @param keep one entry a scan: 0 to forget it.
+    void keepOnly(const std::vector<char>& keep);
+
+    /// Makes room for a map that gets no larger: nothing is allocated for it afterwards.
+    void reserveOnce(std::size_t scans, std::size_t points);
 
     /// Draws for the vehicle at this pose, now, within the options' gate.
     void draw(const Pose2& pose_map_vehicle, Reference& reference);
