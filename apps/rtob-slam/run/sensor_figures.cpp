@@ -25,7 +25,7 @@ nlohmann::ordered_json sensor_json(const SensorFigures& figures)
     for (const auto& [fate, name] : enum_names(ReadingFate{}))
         if (fate == ReadingFate::Used || watch.with(fate) > 0)
             json[std::string(name)] = watch.with(fate);
-    json["mean_nis"] = watch.meanNis();
+    if (watch.meanNis() > 0) json["mean_nis"] = watch.meanNis();  // of the filter's sensors
     json["mean_lag_s"] = watch.meanLag();
     json["longest_gap_s"] = watch.longestGap();
     return json;
