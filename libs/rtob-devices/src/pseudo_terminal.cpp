@@ -49,7 +49,8 @@ void PseudoTerminal::plug()
     ioctl(slave_, TCGETS2, &raw);
     raw.c_iflag = raw.c_oflag = raw.c_lflag = 0;
     ioctl(slave_, TCSETS2, &raw);
-    std::filesystem::remove(link_);
+    // Only what such a device left behind makes way.
+    if (std::filesystem::is_symlink(link_)) std::filesystem::remove(link_);
     if (symlink(slave.c_str(), link_.c_str()) != 0) fail("link " + link_);
 }
 
@@ -79,7 +80,8 @@ std::vector<std::uint8_t> PseudoTerminal::receive(int timeout_ms)
 
 void PseudoTerminal::send(const std::vector<std::uint8_t>& bytes)
 {
-    if (isPlugged() && write(master_, bytes.data(), bytes.size()) < 0 && errno != EAGAIN)
+    if (isPlugged() && !bytes.empty() && write(master_, bytes.data(), bytes.size()) < 0 &&
+        errno != EAGAIN)
         fail("pseudo-terminal " + link_);
 }
 

@@ -99,7 +99,13 @@ void RplidarEmulator::restart()
     is_scanning_ = false;
 }
 
-void RplidarEmulator::receive(const std::vector<std::uint8_t>& bytes, double now_s)
+void RplidarEmulator::breakDown()
+{
+    restart();
+    has_error_ = true;
+}
+
+void RplidarEmulator::receive(const Packet& bytes, double now_s)
 {
     received_.insert(received_.end(), bytes.begin(), bytes.end());
     while (!received_.empty())

@@ -29,27 +29,7 @@ RplidarOnTerminal::~RplidarOnTerminal()
 void RplidarOnTerminal::inject(LineFault fault, double duration_s)
 {
     const std::lock_guard lock(mutex_);
-    switch (fault)
-    {
-        case LineFault::Garbage:
-        case LineFault::HalfPacket:
-        case LineFault::WrongChecksum:
-            waiting_.push_back(fault);
-            return;
-        case LineFault::Stall:
-            silent_until_s_ = now_s() + duration_s;
-            return;
-        case LineFault::Unplug:
-            unplugged_until_s_ = now_s() + duration_s;
-            return;
-        case LineFault::ErrorState:
-            emulator_.setError(true);
-            emulator_.restart();
-            return;
-        case LineFault::Restart:
-            emulator_.restart();
-            return;
-    }
+    faults_.inject(fault, emulator_, now_s(), duration_s);
 }
 
 double RplidarOnTerminal::shaftDeg(double time_s) const
@@ -69,36 +49,17 @@ void RplidarOnTerminal::step()
     const auto request = terminal_.receive(step_ms);
     const std::lock_guard lock(mutex_);
     const double now = now_s();
-    if (now < unplugged_until_s_)
+    if (faults_.isUnplugged(now))
     {
         terminal_.unplug();
-        emulator_.restart();
         return;
     }
     terminal_.plug();
-    const bool is_heard = terminal_.baud() == emulator_.model().baud;
+    const bool is_heard = faults_.isHeard(now) && terminal_.baud() == emulator_.model().baud;
     if (is_heard && !request.empty()) emulator_.receive(request, now);
     auto packets = emulator_.send(now);
     is_scanning_ = emulator_.isScanning();
-    if (now < silent_until_s_ || !is_heard) return;
-    for (auto& packet : packets)
-    {
-        spoil(packet);
-        terminal_.send(packet);
-    }
-}
-
-void RplidarOnTerminal::spoil(std::vector<std::uint8_t>& bytes)
-{
-    if (waiting_.empty() || bytes.empty()) return;
-    const LineFault fault = waiting_.back();
-    waiting_.pop_back();
-    if (fault == LineFault::HalfPacket)
-        bytes.resize(bytes.size() / 2);
-    else if (fault == LineFault::WrongChecksum)
-        bytes[random_() % bytes.size()] ^= 0x55;
-    else
-        for (auto count = 1 + random_() % 300; count > 0; --count)
-            bytes.push_back(static_cast<std::uint8_t>(random_()));
+    if (terminal_.baud() != emulator_.model().baud) return;
+    for (auto& packet : packets) terminal_.send(faults_.arriving(std::move(packet), now));
 }
 }  // namespace rtob::devices

@@ -33,21 +33,18 @@ struct RplidarModel
 [[nodiscard]] RplidarModel model_a3();
 [[nodiscard]] RplidarModel model_s2();
 
-/// An RPLidar without its line: requests in, answers and scans out, at the times given.
-class RplidarEmulator
+/// An RPLidar without its line.
+class RplidarEmulator : public EmulatedDevice
 {
  public:
     RplidarEmulator(RplidarModel model, RangeSource ranges);
 
-    /// The host sent these bytes.
-    void receive(const std::vector<std::uint8_t>& bytes, double now_s);
-    /// What the device has sent by now, each packet whole. Call it often.
-    [[nodiscard]] std::vector<Packet> send(double now_s);
+    void receive(const Packet& bytes, double now_s) override;
+    [[nodiscard]] std::vector<Packet> send(double now_s) override;
+    void restart() override;
+    /// It stops; questions for its health are answered with an error, until a reset.
+    void breakDown() override;
 
-    /// As after the power came back.
-    void restart();
-    /// The next questions for its health are answered with an error, until a reset.
-    void setError(bool on) { has_error_ = on; }
     [[nodiscard]] bool isScanning() const { return is_scanning_; }
     [[nodiscard]] const RplidarModel& model() const { return model_; }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/devices/emulated_device.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,8 +11,6 @@
 /// alone, without a line of the driver's, so that a misreading shows.
 namespace rtob::devices
 {
-using Packet = std::vector<std::uint8_t>;
-
 enum class RplidarScanKind : std::uint8_t
 {
     Standard = 0x81,
