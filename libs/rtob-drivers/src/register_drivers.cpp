@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/core/initializer.h>
+#include <rtob/drivers/log_player.h>
 #include <rtob/drivers/register_drivers.h>
 #include <rtob/drivers/rplidar_sensor.h>
 
@@ -10,6 +11,7 @@ namespace rtob
 void register_drivers()
 {
     RtobRplidar::doRegister();
+    RtobLogPlayer::doRegister();
 }
 
 std::unique_ptr<mrpt::hwdrivers::CGenericSensor> create_sensor(
@@ -21,7 +23,7 @@ std::unique_ptr<mrpt::hwdrivers::CGenericSensor> create_sensor(
     if (sensor) return sensor;
     throw std::runtime_error(
         where + "driver = " + driver +
-        " is unknown. Known: RtobRplidar, and MRPT's, e.g. CHokuyoURG, CLMS100Eth, "
+        " is unknown. Known: RtobRplidar, RtobLogPlayer, and MRPT's, e.g. CHokuyoURG, CLMS100Eth, "
         "CSICKTim561Eth, CSickLaserSerial.");
 }
 }  // namespace rtob
