@@ -6,6 +6,7 @@
 #include <rtob/io/scan_timing.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <map>
@@ -20,6 +21,8 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kListening{6};
+/// Some of MRPT's drivers take their time to begin: CLMS100Eth 15 s.
+constexpr std::chrono::seconds kStarting{25};
 constexpr double kOddStamp_s = 1;
 
 /// What was heard under one label.
@@ -97,6 +100,32 @@ bool tell_heard(std::ostream& out, const std::string& label, const Heard& heard)
     return tell(out, heard.stamps_back == 0 && heard.odd_stamps == 0, text.str());
 }
 
+bool check_port(const SensorSection& section, std::ostream& out)
+{
+    if (section.port.empty()) return true;
+    std::error_code error;
+    const auto device = std::filesystem::canonical(section.port, error).string();
+    const bool may_use = !error && access(device.c_str(), R_OK | W_OK) == 0;
+    return tell(
+        out, may_use,
+        "[" + section.name + "] port " + section.port +
+            (error                    ? ": " + error.message()
+             : device == section.port ? ""
+                                      : " is " + device) +
+            (error || may_use ? "" : ": this user may not read and write it"));
+}
+
+bool is_starting(const std::vector<std::shared_ptr<SensorRunner>>& sensors)
+{
+    return std::any_of(
+        sensors.begin(), sensors.end(),
+        [](const auto& sensor)
+        {
+            const auto report = sensor->report();
+            return report.observations == 0 && report.problem.empty();
+        });
+}
+
 bool check_folder(const std::string& folder, std::ostream& out)
 {
     namespace fs = std::filesystem;
@@ -125,10 +154,12 @@ bool check_onboard(
     AutopilotThread autopilot(
         config.autopilot, [ear](auto observation) { ear->hear(*observation); });
     out << "Listening for " << kListening.count() << " s ..." << std::endl;
-    for (const auto end = Clock::now() + kListening; Clock::now() < end && !stop();)
+    const auto begin = Clock::now();
+    while (!stop() && Clock::now() < begin + (is_starting(sensors) ? kStarting : kListening))
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
 
     bool ok = check_folder(config.onboard.output_folder, out);
+    for (const auto& section : config.sensors) ok &= check_port(section, out);
     for (const auto& sensor : sensors)
     {
         const auto report = sensor->report();

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 
 #include "check.h"
@@ -51,6 +52,7 @@ int main(int argc, char** argv)
     // Some of MRPT's functions wait for a key when something fails: there is none to press.
     if (const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC); nothing >= 0)
         dup2(nothing, STDIN_FILENO);
+    std::signal(SIGPIPE, SIG_IGN);  // a laser that hangs up while MRPT writes to it
     CLI::App program(
         "Localises and maps live, with any sensor of MRPT; no screen needed.", "rtob-onboard");
     std::string file;

@@ -56,7 +56,10 @@ SensorSection sensor_of(const mrpt::config::CConfigFileBase& ini, const std::str
     sensor.name = section;
     sensor.driver = config_value(ini, section, "driver");
     sensor.sweep_s = number_of(ini, section, "sweep_s", 0);
-    sensor.restart_after_s = number_of(ini, section, "restart_after_s", 0);
+    if (ini.keyExists(section, "restart_after_s"))
+        sensor.restart_after_s = number_of(ini, section, "restart_after_s", 0);
+    if (ini.keyExists(section, "COM_port_LIN"))
+        sensor.port = config_value(ini, section, "COM_port_LIN");
     const std::string where = config_name(ini) + ", section [" + section + "], ";
     if (!ini.keyExists(section, "process_rate"))
         throw std::runtime_error(

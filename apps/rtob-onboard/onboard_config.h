@@ -4,6 +4,7 @@
 #include <rtob/drivers/autopilot_options.h>
 #include <rtob/drivers/pilot_stick.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ namespace rtob
 struct SensorSection
 {
     std::string name, driver;
-    double sweep_s = 0;          ///< of its scans, where the driver does not tell; 0: not known
-    double restart_after_s = 0;  ///< of silence; 0: never
+    std::string port;    ///< of a serial line; empty: none
+    double sweep_s = 0;  ///< of its scans, where the driver does not tell; 0: not known
+    /// Of silence; 0: never. Not given: 3 s for lasers, never for others.
+    std::optional<double> restart_after_s;
 };
 
 /// All that an .ini of rtob-onboard may hold.

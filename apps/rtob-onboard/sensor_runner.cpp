@@ -2,6 +2,7 @@
 #include "sensor_runner.h"
 
 #include <mrpt/core/exceptions.h>
+#include <mrpt/hwdrivers/C2DRangeFinderAbstract.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/system/COutputLogger.h>
 #include <rtob/drivers/back_off.h>
@@ -20,6 +21,8 @@ using Clock = std::chrono::steady_clock;
 using mrpt::hwdrivers::CGenericSensor;
 
 constexpr std::chrono::milliseconds kSensorStep{20};
+/// A laser that works is never silent for that long, whatever its driver believes.
+constexpr double kLaserSilence_s = 3;
 
 /// MRPT's configuration objects are not made for several readers at once.
 std::mutex& configuration_mutex()
@@ -148,8 +151,11 @@ void SensorRunner::noteState(const CGenericSensor& sensor)
     }
     if (sensor.getState() == CGenericSensor::ssError)
         throw std::runtime_error("the driver reports an error");
+    const bool is_laser =
+        dynamic_cast<const mrpt::hwdrivers::C2DRangeFinderAbstract*>(&sensor) != nullptr;
+    const double longest_s = section_.restart_after_s.value_or(is_laser ? kLaserSilence_s : 0);
     const std::chrono::duration<double> silence = Clock::now() - last_observation_;
-    if (section_.restart_after_s > 0 && silence.count() > section_.restart_after_s)
+    if (longest_s > 0 && silence.count() > longest_s)
         throw std::runtime_error("silent for longer than restart_after_s");
     const std::lock_guard lock(mutex_);
     report_.is_working = sensor.getState() == CGenericSensor::ssWorking;
