@@ -20,7 +20,7 @@ struct Verb
     rtob::VerbAction (*declare)(CLI::App&);
 };
 
-constexpr std::array<Verb, 9> verbs{
+constexpr std::array<Verb, 10> verbs{
     {{"run", "turn a laser log into a trajectory and a map", rtob::declare_run},
      {"check", "look for faults in a log, and suggest an .ini", rtob::declare_check},
      {"convert", "turn a log into a rawlog, a CARMEN log or poses", rtob::declare_convert},
@@ -29,6 +29,7 @@ constexpr std::array<Verb, 9> verbs{
      {"compare", "RTOB-SLAM beside MRPT's ICP-SLAM on your log: a report", rtob::declare_compare},
      {"compare-run", "", rtob::declare_compare_run},
      {"simulate", "fly a simulated world and write log and truth", rtob::declare_simulate},
+     {"emulate", "a laser that is none: plays a log to a driver", rtob::declare_emulate},
      {"tune", "find settings for a time budget", rtob::declare_tune},
      {"options", "list every key of the .ini with its default", rtob::declare_options}}};
 

@@ -17,6 +17,7 @@ VerbAction declare_compare(CLI::App& command);
 /// One run of a comparison: compare starts it as a process of its own.
 VerbAction declare_compare_run(CLI::App& command);
 VerbAction declare_simulate(CLI::App& command);
+VerbAction declare_emulate(CLI::App& command);
 VerbAction declare_tune(CLI::App& command);
 VerbAction declare_options(CLI::App& command);
 }  // namespace rtob
