@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <rtob/io/log_reader.h>
+#include <rtob/io/scan_timing.h>
 
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "onboard_flight.h"
@@ -15,9 +17,10 @@ namespace rtob::test
 /// What a capture holds, up to its damage.
 struct CaptureContents
 {
-    std::vector<double> scans, poses;  ///< stamps
+    std::vector<double> scans, poses;                     ///< stamps
+    std::map<std::string, std::vector<double>> scans_of;  ///< stamps by label
     std::vector<Pose2> pose_map_vehicle;
-    std::size_t attitudes = 0;
+    std::size_t attitudes = 0, dropped = 0;
     std::string damage;
 };
 
@@ -32,7 +35,10 @@ inline CaptureContents read_capture(const std::string& file)
             const auto& observation = *entry->observation;
             const double stamp_s = mrpt::Clock::toDouble(observation.timestamp);
             if (dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation) != nullptr)
+            {
                 contents.scans.push_back(stamp_s);
+                contents.scans_of[observation.sensorLabel].push_back(stamp_s);
+            }
             if (const auto* pose =
                     dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation))
             {
@@ -41,6 +47,7 @@ inline CaptureContents read_capture(const std::string& file)
                     {pose->pose.mean.x(), pose->pose.mean.y(), pose->pose.mean.yaw()});
             }
             contents.attitudes += observation.sensorLabel == "AUTOPILOT.attitude";
+            contents.dropped += is_dropped_record(observation);
         }
     }
     catch (const LogError& error)
@@ -77,6 +84,45 @@ class Onboard : public testing::Test, public FlightFixture
     [[nodiscard]] std::string logged(const std::string& flight) const
     {
         return flight + "/capture_000.rawlog";
+    }
+
+    /// Flies until this many poses were told, and ends by SIGTERM.
+    /// @return the flight's folder; empty where it failed
+    [[nodiscard]] std::string fly(const std::string& ini, std::size_t poses)
+    {
+        RunningProgram program(RTOB_ONBOARD, {ini});
+        EXPECT_TRUE(states_.waitForMore(poses));
+        program.send(SIGTERM);
+        const auto result = program.wait();
+        EXPECT_EQ(0, result.exit_code) << result.err << result.out;
+        std::cout << result.out;
+        return flights().empty() ? "" : flights().back();
+    }
+
+    /// The log gives the same poses again, to the last digit.
+    void expectTheSamePosesAgain(const std::string& flight) const
+    {
+        const auto replay = run_program(
+            RTOB_PROGRAM, {"run", logged(flight), "-c", flight + "/config.effective.ini", "-o",
+                           folder_.file("replay"), "--overwrite", "--quiet"});
+        ASSERT_EQ(0, replay.exit_code) << replay.err;
+        EXPECT_EQ(
+            file_content(flight + "/trajectory.tum"),
+            file_content(folder_.file("replay") + "/trajectory.tum"));
+    }
+
+    /// MRPT's own programs read the capture.
+    void expectStockProgramsRead(const std::string& flight) const
+    {
+        const auto info = run_program("/usr/bin/rawlog-edit", {"--info", "-i", logged(flight)});
+        EXPECT_EQ(0, info.exit_code);
+        EXPECT_THAT(info.out, testing::HasSubstr("LASER, rtob.pose, rtob.scan_timing"));
+        EXPECT_THAT(info.out, testing::HasSubstr("Observations format               : Yes"));
+        // icp-slam leaves its folder where it is started.
+        const auto icp_slam = run_program(
+            "/bin/sh", {"-c", "cd \"$0\" && exec icp-slam \"$1\" \"$2\"", folder_.path(),
+                        RTOB_SOURCE_DIR "/config/mrpt-icp-slam-dense.ini", logged(flight)});
+        EXPECT_EQ(0, icp_slam.exit_code) << icp_slam.out << icp_slam.err;
     }
 };
 

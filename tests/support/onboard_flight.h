@@ -17,12 +17,14 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "house.h"
 #include "program.h"
+#include "state_listener.h"
 
 /// A flight without hardware: an emulated laser that moves through a house, an emulated autopilot,
 /// and rtob-onboard between them. RTOB_ONBOARD names the program.
@@ -102,6 +104,14 @@ class EmulatedAutopilot
         return texts_;
     }
     [[nodiscard]] std::size_t heartbeats() const { return heartbeats_; }
+    /// So many bytes that mean nothing.
+    void sendGarbage(std::size_t bytes)
+    {
+        Bytes garbage(bytes);
+        for (auto& byte : garbage) byte = static_cast<std::uint8_t>(random_());
+        const std::lock_guard lock(mutex_);
+        link_->write(garbage);
+    }
 
  private:
     void live()
@@ -137,6 +147,7 @@ class EmulatedAutopilot
     int port_;
     std::unique_ptr<ByteLink> link_;
     mavlink::Sender sender_{1, 1, 0};
+    std::mt19937 random_{3};
     mutable std::mutex mutex_;
     std::vector<mavlink::Odometry> poses_;
     std::vector<std::string> texts_;
@@ -145,18 +156,26 @@ class EmulatedAutopilot
     std::thread thread_;
 };
 
-/// A folder with a configuration for an RPLidar at `laserPort()`.
+/// A folder with a configuration for a laser, whose poses are heard as they come.
 class FlightFixture
 {
  public:
     [[nodiscard]] std::string laserPort() const { return folder_.file("ttyLaser"); }
-    [[nodiscard]] std::string write(const std::string& more = "") const
+    /// @param laser the section of the laser, without its label
+    [[nodiscard]] std::string writeFor(const std::string& laser, const std::string& more = "") const
     {
         return folder_.write(
             "onboard.ini", "[Onboard]\noutput_folder = " + folder_.file("flights") +
-                               "\n[Laser]\ndriver = RtobRplidar\nprocess_rate = 200\n"
-                               "sensorLabel = LASER\nCOM_port_LIN = " +
-                               laserPort() + "\n" + more);
+                               "\n[StateStream]\nudp_port = " + std::to_string(states_.port()) +
+                               "\n[Laser]\nsensorLabel = LASER\n" + laser + "\n" + more);
+    }
+    /// For an emulated RPLidar A2.
+    [[nodiscard]] std::string write(const std::string& more = "") const
+    {
+        return writeFor(
+            "driver = RtobRplidar\nprocess_rate = 200\nCOM_baudRate = 115200\nCOM_port_LIN = " +
+                laserPort(),
+            more);
     }
     /// The folders of the flights so far, in order.
     [[nodiscard]] std::vector<std::string> flights() const
@@ -169,19 +188,8 @@ class FlightFixture
         std::sort(folders.begin(), folders.end());
         return folders;
     }
-    /// Until a flight has captured something, or for 20 s.
-    void waitForCapture(std::size_t bytes = 1) const
-    {
-        for (const double end = unix_time_s() + 20; unix_time_s() < end; wait_s(0.02))
-        {
-            if (flights().empty()) continue;
-            std::error_code none_yet;
-            const auto size =
-                std::filesystem::file_size(flights().back() + "/capture_000.rawlog", none_yet);
-            if (!none_yet && size >= bytes) return;
-        }
-    }
 
     TemporaryFolder folder_;
+    StateListener states_;
 };
 }  // namespace rtob::test

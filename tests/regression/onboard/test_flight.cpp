@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
-#include <rtob/devices/hokuyo_on_tcp.h>
+#include <rtob/devices/device_on_tcp.h>
+#include <rtob/devices/hokuyo_emulator.h>
+#include <rtob/devices/sick_emulator.h>
 
 #include "onboard_capture.h"
 
@@ -8,112 +9,142 @@ namespace rtob::test
 {
 namespace
 {
+using devices::DeviceOnTcp;
 using devices::RplidarOnTerminal;
 using testing::Contains;
 using testing::HasSubstr;
+
+/// For figures a flight is made longer: RTOB_FLIGHT_TIMES times.
+std::size_t poses_of_flight(int usual)
+{
+    return static_cast<std::size_t>(usual * times_of("RTOB_FLIGHT_TIMES", 1));
+}
+
+template <class Device>
+std::unique_ptr<DeviceOnTcp> on_tcp(double takeoff_s)
+{
+    return std::make_unique<DeviceOnTcp>(std::make_unique<Device>(house_from(takeoff_s)));
+}
 
 TEST_F(Onboard, FliesFromTheLaserToTheAutopilotAndRepeatsItFromTheLog)
 {
     const double takeoff_s = unix_time_s();
     EmulatedAutopilot autopilot;
     RplidarOnTerminal laser(laserPort(), devices::model_a2(), house_from(takeoff_s));
-    RunningProgram program(
-        RTOB_ONBOARD, {write(
-                          "[Autopilot]\nlink = udp:127.0.0.1:" + std::to_string(autopilot.port()) +
-                          "\npose_hz = 30\n")});
-    waitForCapture();
-    wait_s(8);
-    program.send(SIGTERM);
-    const auto result = program.wait();
-    ASSERT_EQ(0, result.exit_code) << result.err << result.out;
-    std::cout << result.out;
-    ASSERT_EQ(1u, flights().size());
-    const std::string flight = flights()[0];
+    const std::string flight =
+        fly(write(
+                "[Autopilot]\nlink = udp:127.0.0.1:" + std::to_string(autopilot.port()) +
+                "\npose_hz = 30\n"),
+            poses_of_flight(80));
+    ASSERT_NE("", flight);
 
     // Poses in the log, against the truth at their own times.
     const auto capture = read_capture(logged(flight));
     EXPECT_EQ("", capture.damage);
-    ASSERT_GE(capture.poses.size(), 60u);
-    EXPECT_GE(capture.attitudes, 100u);
-    const Pose2 start = flight_pose(capture.poses[0] - takeoff_s);
+    ASSERT_GE(capture.poses.size(), 80u);
+    EXPECT_GE(capture.attitudes, 50u);
     EXPECT_LT(rms_error_m(capture, takeoff_s), 0.02);
 
     // The autopilot heard them, ever newer, and in its own axes.
     const auto poses = autopilot.poses();
-    EXPECT_GE(poses.size(), 200u);
+    EXPECT_GE(poses.size(), 80u);
     for (std::size_t i = 1; i < poses.size(); ++i)
         EXPECT_GT(poses[i].time_usec, poses[i - 1].time_usec);
+    const Pose2 start = flight_pose(capture.poses[0] - takeoff_s);
     const Pose2 last =
         between(start, flight_pose(1e-6 * static_cast<double>(poses.back().time_usec) - takeoff_s));
     EXPECT_NEAR(last.x, poses.back().x, 0.1);
     EXPECT_NEAR(-last.y, poses.back().y, 0.1);
-    EXPECT_GE(autopilot.heartbeats(), 7u);
+    EXPECT_GE(autopilot.heartbeats(), 5u);
     EXPECT_THAT(autopilot.texts(), Contains(HasSubstr("TRACKING")));
 
-    // The log gives the same poses again, to the last digit.
-    const auto replay = run_program(
-        RTOB_PROGRAM, {"run", logged(flight), "-c", flight + "/config.effective.ini", "-o",
-                       folder_.file("replay"), "--quiet"});
-    ASSERT_EQ(0, replay.exit_code) << replay.err;
-    EXPECT_EQ(
-        file_content(flight + "/trajectory.tum"),
-        file_content(folder_.file("replay") + "/trajectory.tum"));
+    // Who listens hears the poses that are in the log.
+    const auto states = states_.states();
+    EXPECT_EQ("TRACKING", states.back()["state"].get<std::string>());
+    EXPECT_NEAR(capture.pose_map_vehicle[40].x, states[40]["x_m"].get<double>(), 1e-6);
 
     const auto summary = summary_of(flight);
     EXPECT_EQ(summary["scans"]["localised"], capture.poses.size());
+    EXPECT_EQ(0u, summary["autopilot"]["frames_damaged"].get<unsigned>());
     for (const char* name : {"map.rtob", "map.ply", "map.pgm", "map.yaml", "summary.txt"})
         EXPECT_TRUE(std::filesystem::exists(flight + "/" + name)) << name;
-
-    // MRPT's own programs read the capture.
-    const auto info = run_program("/usr/bin/rawlog-edit", {"--info", "-i", logged(flight)});
-    EXPECT_EQ(0, info.exit_code);
-    EXPECT_THAT(info.out, HasSubstr("LASER, rtob.pose, rtob.scan_timing"));
-    EXPECT_THAT(info.out, HasSubstr("Observations format               : Yes"));
-    // icp-slam leaves its folder where it is started.
-    const auto icp_slam = run_program(
-        "/bin/sh", {"-c", "cd \"$0\" && exec icp-slam \"$1\" \"$2\"", folder_.path(),
-                    RTOB_SOURCE_DIR "/config/mrpt-icp-slam-dense.ini", logged(flight)});
-    EXPECT_EQ(0, icp_slam.exit_code) << icp_slam.out << icp_slam.err;
-}
-
-TEST_F(Onboard, ItsSensorRecordsInRawlogGrabber)
-{
-    const RplidarOnTerminal laser(laserPort(), devices::model_a2(), house_from(unix_time_s()));
-    const std::string ini = folder_.write(
-        "grabber.ini", "[global]\nrawlog_prefix = " + folder_.file("grabbed") +
-                           "\n[Laser]\ndriver = RtobRplidar\nprocess_rate = 200\n"
-                           "sensorLabel = LASER\nCOM_port_LIN = " +
-                           laserPort() + "\nCOM_baudRate = 115200\n");
-    // It ends at once where its input does, so that is held open; and by SIGINT.
-    const std::string shell =
-        "sleep 9 | rawlog-grabber -p \"$0\" \"$1\" & sleep 7; kill -INT $!; wait $!";
-    const auto result = run_program("/bin/sh", {"-c", shell, RTOB_DRIVERS_PLUGIN, ini});
-    std::size_t scans = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
-        if (entry.path().extension() == ".rawlog") scans += read_capture(entry.path()).scans.size();
-    EXPECT_GE(scans, 20u) << result.out << result.err;
+    expectTheSamePosesAgain(flight);
+    expectStockProgramsRead(flight);
 }
 
 TEST_F(Onboard, FliesWithMrptsOwnHokuyoDriver)
 {
     const double takeoff_s = unix_time_s();
-    devices::HokuyoOnTcp laser(house_from(takeoff_s));
-    const std::string ini = folder_.write(
-        "hokuyo.ini", "[Onboard]\noutput_folder = " + folder_.file("flights") +
-                          "\n[Laser]\ndriver = CHokuyoURG\nprocess_rate = 200\n"
-                          "sensorLabel = LASER\nIP_DIR = 127.0.0.1\nPORT_DIR = " +
-                          std::to_string(laser.port()) + "\nsweep_s = 0.01875\n");
-    RunningProgram program(RTOB_ONBOARD, {ini});
-    waitForCapture();
-    wait_s(5);
-    program.send(SIGTERM);
-    const auto result = program.wait();
-    ASSERT_EQ(0, result.exit_code) << result.err << result.out;
-    const auto capture = read_capture(logged(flights()[0]));
-    ASSERT_GE(capture.poses.size(), 80u);
-    EXPECT_LT(rms_error_m(capture, takeoff_s), 0.02);
-    std::cout << result.out;
+    const auto laser = on_tcp<devices::HokuyoEmulator>(takeoff_s);
+    const std::string flight =
+        fly(writeFor(
+                "driver = CHokuyoURG\nprocess_rate = 200\nIP_DIR = 127.0.0.1\nPORT_DIR = " +
+                std::to_string(laser->port()) + "\nsweep_s = 0.01875\n"),
+            poses_of_flight(160));
+    ASSERT_NE("", flight);
+    EXPECT_LT(rms_error_m(read_capture(logged(flight)), takeoff_s), 0.02);
+    expectTheSamePosesAgain(flight);
+    expectStockProgramsRead(flight);
 }
 
+/// The driver stamps at arrival, asks at its own pace, and says that the beams turn to the right
+/// where they turn to the left: a roll of 180 degrees sets that right.
+TEST_F(Onboard, FliesWithMrptsOwnSickDriver)
+{
+    const double takeoff_s = unix_time_s();
+    const auto laser = on_tcp<devices::SickEmulator>(takeoff_s);
+    const std::string flight =
+        fly(writeFor(
+                "driver = CSICKTim561Eth\nprocess_rate = 15\npose_roll = 180\n"
+                "ip_address = 127.0.0.1\nTCP_port = " +
+                std::to_string(laser->port()) + "\nsweep_s = 0.05\n"),
+            poses_of_flight(80));
+    ASSERT_NE("", flight);
+    EXPECT_LT(rms_error_m(read_capture(logged(flight)), takeoff_s), 0.02);
+    expectTheSamePosesAgain(flight);
+    expectStockProgramsRead(flight);
+}
+
+/// More work than there is time for: scans are dropped, marked, and passed over by the replay.
+TEST_F(Onboard, DropsScansThatItHasNoTimeForAndTheReplayDoes)
+{
+    const auto laser = on_tcp<devices::HokuyoEmulator>(unix_time_s());
+    const std::string flight =
+        fly(writeFor(
+                "driver = CHokuyoURG\nprocess_rate = 200\nIP_DIR = 127.0.0.1\nPORT_DIR = " +
+                    std::to_string(laser->port()),
+                "[Draw]\npoints = 100000\n[Icp]\niterations = 400\nstop_step_m = 0\n"),
+            30);
+    ASSERT_NE("", flight);
+    const auto summary = summary_of(flight);
+    EXPECT_GT(summary["scans"]["dropped"].get<std::size_t>(), 0u);
+    const auto capture = read_capture(logged(flight));
+    EXPECT_EQ(summary["scans"]["dropped"].get<std::size_t>(), capture.dropped);
+    EXPECT_EQ(capture.scans.size(), capture.poses.size() + capture.dropped);
+    expectTheSamePosesAgain(flight);
+}
+
+TEST_F(Onboard, FliesALogAsIfItHappenedNow)
+{
+    const double takeoff_s = unix_time_s();
+    const auto laser = on_tcp<devices::HokuyoEmulator>(takeoff_s);
+    const std::string first =
+        fly(writeFor(
+                "driver = CHokuyoURG\nprocess_rate = 200\nIP_DIR = 127.0.0.1\nPORT_DIR = " +
+                std::to_string(laser->port()) + "\nsweep_s = 0.01875\n"),
+            80);
+    ASSERT_NE("", first);
+    const auto recorded = read_capture(logged(first));
+    const std::string again =
+        fly(writeFor(
+                "driver = RtobLogPlayer\nprocess_rate = 200\nspeed = 0.5\nfile = " + logged(first)),
+            recorded.poses.size());
+    ASSERT_NE("", again);
+    const auto played = read_capture(logged(again));
+    EXPECT_EQ(recorded.scans.size(), played.scans.size());
+    // The same ranges, the same map: only the stamps differ, and with them the straightening.
+    EXPECT_NEAR(recorded.pose_map_vehicle.back().x, played.pose_map_vehicle.back().x, 0.02);
+    EXPECT_NEAR(recorded.pose_map_vehicle.back().y, played.pose_map_vehicle.back().y, 0.02);
+}
 }  // namespace
 }  // namespace rtob::test
