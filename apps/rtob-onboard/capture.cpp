@@ -18,9 +18,10 @@ Capture::Capture(const CaptureOptions& options, std::string folder)
     : options_(options), folder_(std::move(folder))
 {
     if (!options_.enabled) return;
-    file_ = std::make_unique<CaptureFile>(nextName());
+    file_ = std::make_shared<CaptureFile>(nextName());
     state_.files = 1;
-    thread_ = std::thread([this] { write(); });
+    writing_ = std::thread([this] { write(); });
+    syncing_ = std::thread([this] { sync(); });
 }
 
 Capture::~Capture()
@@ -59,7 +60,17 @@ void Capture::finish()
         ends_ = true;
     }
     ends_early_.notify_all();
-    if (thread_.joinable()) thread_.join();
+    if (!writing_.joinable()) return;
+    writing_.join();
+    syncing_.join();
+    try
+    {
+        file_->sync();
+    }
+    catch (const std::exception& error)
+    {
+        fail(error.what());
+    }
 }
 
 Capture::State Capture::state() const
@@ -85,25 +96,57 @@ void Capture::write()
         }
         catch (const std::exception& error)
         {
+            fail(error.what());
             const std::lock_guard lock(mutex_);
             state_.left_out += objects.size() + waiting_.size();
             waiting_.clear();
-            state_.problem = error.what();
             return;
         }
     }
+}
+
+void Capture::sync()
+{
+    const std::chrono::duration<double> period(options_.flush_s);
+    for (bool ends = false; !ends;)
+    {
+        std::shared_ptr<CaptureFile> file;
+        {
+            std::unique_lock lock(mutex_);
+            ends = ends_early_.wait_for(lock, period, [this] { return ends_; });
+            file = file_;
+        }
+        try
+        {
+            file->sync();
+        }
+        catch (const std::exception& error)
+        {
+            fail(error.what());
+            return;
+        }
+    }
+}
+
+/// The first problem is the one to tell.
+void Capture::fail(const std::string& problem)
+{
+    const std::lock_guard lock(mutex_);
+    if (state_.problem.empty()) state_.problem = problem;
 }
 
 void Capture::writeObjects(const Objects& objects)
 {
     for (const auto& object : objects) file_->write(*object);
     file_->flush();
+    const bool is_full = static_cast<double>(file_->bytes()) >= 1e6 * options_.rotate_mb;
+    if (is_full) file_->sync();
     const std::lock_guard lock(mutex_);
     state_.objects += objects.size();
     state_.bytes = bytes_of_full_files_ + file_->bytes();
-    if (static_cast<double>(file_->bytes()) < 1e6 * options_.rotate_mb) return;
+    if (!is_full) return;
     bytes_of_full_files_ = state_.bytes;
-    file_ = std::make_unique<CaptureFile>(nextName());
+    file_ = std::make_shared<CaptureFile>(nextName());
     ++state_.files;
 }
 }  // namespace rtob

@@ -17,7 +17,8 @@
 namespace rtob
 {
 /// Writes objects into rawlogs, in a thread of its own: who has something to log never waits for a
-/// disk. capture_000.rawlog is followed by capture_001.rawlog when it gets large.
+/// disk. Nor does the writing: another thread waits until the disk has it, which may take seconds
+/// on a busy one. capture_000.rawlog is followed by capture_001.rawlog when it gets large.
 class Capture
 {
  public:
@@ -47,18 +48,20 @@ class Capture
     using Objects = std::vector<mrpt::serialization::CSerializable::Ptr>;
 
     void write();
+    void sync();
+    void fail(const std::string& problem);
     void writeObjects(const Objects& objects);
     [[nodiscard]] std::string nextName() const;
 
     CaptureOptions options_;
     std::string folder_;
-    std::unique_ptr<CaptureFile> file_;  ///< of the writing thread alone
     mutable std::mutex mutex_;           ///< guards what follows
+    std::shared_ptr<CaptureFile> file_;  ///< written to by the writing thread alone
     std::condition_variable ends_early_;
     Objects waiting_;
     State state_;
     std::uint64_t bytes_of_full_files_ = 0;
     bool ends_ = false;
-    std::thread thread_;
+    std::thread writing_, syncing_;
 };
 }  // namespace rtob

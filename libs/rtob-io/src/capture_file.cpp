@@ -82,6 +82,10 @@ void CaptureFile::flush()
         written += static_cast<std::size_t>(count);
     }
     bytes_ += written;
+}
+
+void CaptureFile::sync() const
+{
     if (fdatasync(descriptor_) != 0 && errno != EINVAL)
         throw std::runtime_error(
             "capture " + file_ + " cannot be brought to the disk: " + std::strerror(errno));

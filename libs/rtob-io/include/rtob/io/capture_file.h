@@ -22,9 +22,12 @@ class CaptureFile
 
     /// Keeps the object for the next flush.
     void write(const mrpt::serialization::CSerializable& object);
-    /// Brings what was written to the disk. Throws std::runtime_error where that fails, as on a
-    /// full disk: the file then ends with the flush before.
+    /// Hands what was written to the system: it survives this program. Throws std::runtime_error
+    /// where that fails, as on a full disk: the file then ends with the flush before.
     void flush();
+    /// Waits until what was flushed is on the disk: it survives the power. Any thread may call it,
+    /// beside flush(). Throws std::runtime_error.
+    void sync() const;
 
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     [[nodiscard]] const std::string& name() const { return file_; }
@@ -35,6 +38,6 @@ class CaptureFile
     std::string file_;
     std::unique_ptr<Buffer> buffer_;
     int descriptor_ = -1;
-    std::uint64_t bytes_ = 0;  ///< on the disk
+    std::uint64_t bytes_ = 0;  ///< flushed
 };
 }  // namespace rtob
