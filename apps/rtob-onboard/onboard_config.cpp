@@ -56,6 +56,7 @@ SensorSection sensor_of(const mrpt::config::CConfigFileBase& ini, const std::str
     sensor.name = section;
     sensor.driver = config_value(ini, section, "driver");
     sensor.sweep_s = number_of(ini, section, "sweep_s", 0);
+    sensor.stamp_late_s = number_of(ini, section, "stamp_late_s", 0);
     if (ini.keyExists(section, "restart_after_s"))
         sensor.restart_after_s = number_of(ini, section, "restart_after_s", 0);
     if (ini.keyExists(section, "COM_port_LIN"))

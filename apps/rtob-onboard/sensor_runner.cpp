@@ -23,6 +23,7 @@ using mrpt::hwdrivers::CGenericSensor;
 constexpr std::chrono::milliseconds kSensorStep{20};
 /// A laser that works is never silent for that long, whatever its driver believes.
 constexpr double kLaserSilence_s = 3;
+constexpr double kLastingError_s = 1;
 
 /// MRPT's configuration objects are not made for several readers at once.
 std::mutex& configuration_mutex()
@@ -125,10 +126,12 @@ void SensorRunner::pass(CGenericSensor& sensor)
     {
         auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
         if (!observation) continue;
-        if (const auto* scan =
-                dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(observation.get());
-            scan != nullptr && section_.sweep_s > 0)
-            sink_(timing_record(*scan, {section_.sweep_s}));
+        if (auto* scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan*>(observation.get()))
+        {
+            scan->timestamp -= std::chrono::duration_cast<mrpt::Clock::duration>(
+                std::chrono::duration<double>(section_.stamp_late_s));
+            if (section_.sweep_s > 0) sink_(timing_record(*scan, {section_.sweep_s}));
+        }
         sink_(std::move(observation));
         last_observation_ = Clock::now();
         const std::lock_guard lock(mutex_);
@@ -149,14 +152,15 @@ void SensorRunner::noteState(const CGenericSensor& sensor)
         report_.restarts = status.reconnects;
         return;
     }
-    if (sensor.getState() == CGenericSensor::ssError)
-        throw std::runtime_error("the driver reports an error");
     const bool is_laser =
         dynamic_cast<const mrpt::hwdrivers::C2DRangeFinderAbstract*>(&sensor) != nullptr;
     const double longest_s = section_.restart_after_s.value_or(is_laser ? kLaserSilence_s : 0);
     const std::chrono::duration<double> silence = Clock::now() - last_observation_;
     if (longest_s > 0 && silence.count() > longest_s)
         throw std::runtime_error("silent for longer than restart_after_s");
+    // Some drivers call a single lost telegram an error, and are well again with the next one.
+    if (sensor.getState() == CGenericSensor::ssError && silence.count() > kLastingError_s)
+        throw std::runtime_error("the driver reports an error");
     const std::lock_guard lock(mutex_);
     report_.is_working = sensor.getState() == CGenericSensor::ssWorking;
     if (report_.is_working) report_.problem.clear();

@@ -10,10 +10,10 @@ namespace rtob
 {
 /// The keys that any sensor's section may have, read by MRPT or by whom starts the sensor.
 constexpr std::array<const char*, 16> kCommonSensorKeys{
-    "driver",          "process_rate", "max_queue_len",   "sensorLabel",
-    "grab_decimation", "pose_x",       "pose_y",          "pose_z",
-    "pose_yaw",        "pose_pitch",   "pose_roll",       "rawlog-grabber-ignore",
-    "restart_after_s", "sweep_s",      "clockwise_sweep", "verbose"};
+    "driver",          "process_rate", "max_queue_len", "sensorLabel",
+    "grab_decimation", "pose_x",       "pose_y",        "pose_z",
+    "pose_yaw",        "pose_pitch",   "pose_roll",     "rawlog-grabber-ignore",
+    "restart_after_s", "sweep_s",      "stamp_late_s",  "verbose"};
 
 /// Sets the options whose keys stand in a sensor's section; refuses keys that nobody reads.
 template <class T>
