@@ -51,6 +51,14 @@ inline void wait_s(double seconds)
         std::atan2(3 * std::cos(2 * a), -4 * std::sin(a))};
 }
 
+/// A scan from this place of house.h's own drive, at another time.
+[[nodiscard]] inline mrpt::obs::CObservation2DRangeScan scan_in_house_at(int place, double stamp_s)
+{
+    auto scan = scan_in_house(place);
+    scan.timestamp = mrpt::Clock::fromDouble(stamp_s);
+    return scan;
+}
+
 /// What the laser sees at any moment; it sits in the vehicle's middle.
 [[nodiscard]] inline devices::RangeSource house_from(double takeoff_s)
 {
