@@ -40,7 +40,7 @@ class GuardedFlight : public Onboard
     }
     [[nodiscard]] std::string config() const
     {
-        return "COM_baudRate = 115200\n[Autopilot]\nlink = udp:127.0.0.1:" +
+        return "[Autopilot]\nlink = udp:127.0.0.1:" +
                std::to_string(vehicle_.port()) +
                "\n[Pilot]\nenabled = true\n[Stick]\nmax_speed_mps = 1\n"
                "[VehicleLimits]\nradius_m = 0.3\nmargin_m = 0.15\n"
