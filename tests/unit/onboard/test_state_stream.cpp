@@ -64,14 +64,23 @@ class Client
     Client& operator=(const Client&) = delete;
 
     [[nodiscard]] bool isConnected() const { return is_connected_; }
-    [[nodiscard]] std::string readLine() const
+    [[nodiscard]] std::string readLine()
     {
-        std::string line;
-        for (char letter = 0; letter != '\n' && recv(socket_, &letter, 1, 0) == 1;) line += letter;
+        std::array<char, 65536> bytes;
+        while (received_.find('\n') == std::string::npos)
+        {
+            const auto count = recv(socket_, bytes.data(), bytes.size(), 0);
+            if (count <= 0) return received_;
+            received_.append(bytes.data(), static_cast<std::size_t>(count));
+        }
+        const auto end = received_.find('\n') + 1;
+        const std::string line = received_.substr(0, end);
+        received_.erase(0, end);
         return line;
     }
 
  private:
+    std::string received_;
     int socket_ = socket(AF_INET, SOCK_STREAM, 0);
     bool is_connected_ = false;
 };
@@ -87,7 +96,7 @@ TEST(StateStream, SendsLinesToWhoConnectsAndWaitsForNobody)
     StateStreamOptions options;
     options.tcp_port = free_port();
     StateStream stream(options);
-    const Client reader(options.tcp_port);
+    Client reader(options.tcp_port);
     {
         const Client deaf(options.tcp_port);
         ASSERT_TRUE(reader.isConnected() && deaf.isConnected());

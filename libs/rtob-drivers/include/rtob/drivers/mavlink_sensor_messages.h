@@ -91,7 +91,7 @@ struct ManualControl
     std::uint8_t target = 0;
     std::uint16_t buttons2 = 0;
     std::uint8_t enabled_extensions = 0;
-    std::array<std::int16_t, 8> more{};
+    std::array<std::int16_t, 8> more{};  ///< further axes
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& v)
@@ -100,7 +100,9 @@ struct ManualControl
         v("target", s.target);
         v.extension();
         v("buttons2", s.buttons2), v("enabled_extensions", s.enabled_extensions);
-        v("more", s.more);
+        constexpr std::array<const char*, 8> names{"s",    "t",    "aux1", "aux2",
+                                                   "aux3", "aux4", "aux5", "aux6"};
+        for (std::size_t i = 0; i < names.size(); ++i) v(names[i], s.more[i]);
     }
 };
 
