@@ -40,8 +40,7 @@ class GuardedFlight : public Onboard
     }
     [[nodiscard]] std::string config() const
     {
-        return "[Autopilot]\nlink = udp:127.0.0.1:" +
-               std::to_string(vehicle_.port()) +
+        return "[Autopilot]\nlink = udp:127.0.0.1:" + std::to_string(vehicle_.port()) +
                "\n[Pilot]\nenabled = true\n[Stick]\nmax_speed_mps = 1\n"
                "[VehicleLimits]\nradius_m = 0.3\nmargin_m = 0.15\n"
                "[Guard]\nno_return_is_free = true\n";
