@@ -81,28 +81,26 @@ std::string first_bytes(PackedFile& packed)
 
 struct ByteSource::Unpacker
 {
-    explicit Unpacker(const std::string& file) : packed(open_packed(file))
+    explicit Unpacker(const std::string& file) : name(file) { open(usual_buffer_bytes); }
+
+    void open(std::streamsize unpacked_at_once)
     {
+        stream.reset();
+        packed = open_packed(name);
         const std::string magic = first_bytes(packed);
-        // Small buffers: what was unpacked together with the broken place is lost.
         if (magic.substr(0, 2) == "\x1f\x8b")
-            stream.push(io::gzip_decompressor());
+            stream.push(io::gzip_decompressor(), unpacked_at_once);
         else if (magic == "BZh")
-            stream.push(io::bzip2_decompressor());
+            stream.push(io::bzip2_decompressor(), unpacked_at_once);
         stream.push(PackedFileDevice(packed));
     }
 
     /// 0 at the end of the data.
     std::size_t read_some(char* out, std::size_t most)
     {
-        using Traits = std::char_traits<char>;
         try
         {
-            if (Traits::eq_int_type(stream.sgetc(), Traits::eof())) return 0;
-            const auto count = std::min<std::streamsize>(
-                std::max<std::streamsize>(stream.in_avail(), 1),
-                static_cast<std::streamsize>(most));
-            return static_cast<std::size_t>(stream.sgetn(out, count));
+            return read_unpacked(out, most);
         }
         catch (const ByteSourceError&)
         {
@@ -110,14 +108,41 @@ struct ByteSource::Unpacker
         }
         catch (const std::exception&)  // Boost's texts say no more than "iostream error"
         {
-            throw ByteSourceError(
-                "the packed data is cut short or damaged",
-                "Copy the file again, or unpack what is readable (gzip -dc, bzip2recover)");
+            if (is_salvaging)
+                throw ByteSourceError(
+                    "the packed data is cut short or damaged",
+                    "Copy the file again, or unpack what is readable (gzip -dc, bzip2recover)");
         }
+        salvage();
+        return read_some(out, most);
     }
 
+    std::size_t read_unpacked(char* out, std::size_t most)
+    {
+        using Traits = std::char_traits<char>;
+        if (Traits::eq_int_type(stream.sgetc(), Traits::eof())) return 0;
+        const auto count = std::min<std::streamsize>(
+            std::max<std::streamsize>(stream.in_avail(), 1), static_cast<std::streamsize>(most));
+        const auto got = stream.sgetn(out, count);
+        given += got;
+        return static_cast<std::size_t>(got);
+    }
+
+    /// What is unpacked together with a broken place is lost: so once more from the start, byte by
+    /// byte.
+    void salvage()
+    {
+        is_salvaging = true;
+        open(1);
+        for (std::streamsize i = 0; i < given; ++i) stream.sbumpc();
+    }
+
+    static constexpr std::streamsize usual_buffer_bytes = -1;  // Boost's own choice
+    std::string name;
     PackedFile packed;
     io::filtering_istreambuf stream;
+    std::streamsize given = 0;  ///< unpacked bytes so far
+    bool is_salvaging = false;
 };
 
 ByteSource::ByteSource(const std::string& file)
