@@ -50,7 +50,7 @@ TEST_F(Tune, SaysWhatIsMissing)
     EXPECT_THAT(result.err, HasSubstr("--truth"));
     EXPECT_FALSE(std::filesystem::exists(folder_.file("tuned")));
     EXPECT_EQ(tune({world_, "--budget-ms", "0"}).exit_code, 2);
-    EXPECT_EQ(tune({world_, "--set", "Draw.pionts=5"}).exit_code, 2);
+    EXPECT_EQ(tune({world_, "--set", "Draw.dots=5"}).exit_code, 2);
 }
 }  // namespace
 }  // namespace rtob::test
