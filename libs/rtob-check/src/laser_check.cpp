@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/check/laser_check.h>
+#include <rtob/map/conversions.h>
 
 #include <cmath>
-#include <limits>
 
 namespace rtob
 {
 namespace
 {
 constexpr int kBeamsMatched = 180;  // more cost time and tell no more of a step
-
-double stamp_of(const mrpt::obs::CObservation& observation)
-{
-    if (observation.timestamp == INVALID_TIMESTAMP) return std::numeric_limits<double>::quiet_NaN();
-    return mrpt::Clock::toDouble(observation.timestamp);
-}
 
 ScanFilterOptions thinned(ScanFilterOptions options)
 {

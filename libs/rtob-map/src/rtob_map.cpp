@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/datetime.h>
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,12 +23,6 @@ const RtobMapOptions& validated(const RtobMapOptions& options)
 {
     options.validate();
     return options;
-}
-
-double stamp_of(const mrpt::obs::CObservation& observation)
-{
-    if (observation.timestamp == INVALID_TIMESTAMP) return std::numeric_limits<double>::quiet_NaN();
-    return mrpt::Clock::toDouble(observation.timestamp);
 }
 }  // namespace
 

@@ -41,9 +41,7 @@ bool MotionFusion::isSource(MotionSensor sensor, const mrpt::obs::CObservation& 
 
 void MotionFusion::observe(const mrpt::obs::CObservation& observation)
 {
-    const double time_s = observation.timestamp == INVALID_TIMESTAMP
-                              ? std::numeric_limits<double>::quiet_NaN()
-                              : mrpt::Clock::toDouble(observation.timestamp);
+    const double time_s = stamp_of(observation);
     const auto rate = yaw_rate_in(observation);
     if (rate && isSource(MotionSensor::Gyro, observation))
         add(MotionSensor::Gyro, yawRate(time_s, *rate));

@@ -5,8 +5,6 @@
 #include <rtob/map/conversions.h>
 #include <rtob/slam/slam.h>
 
-#include <limits>
-
 namespace rtob
 {
 namespace
@@ -16,13 +14,6 @@ constexpr std::size_t kYoungMap_scans = 3;
 
 // What a scan without a match adds to the uncertainty of the pose, one sigma.
 constexpr double kBlindStep_m = 0.05, kBlindTurn_rad = 0.02;
-
-double stamp_of(const mrpt::obs::CObservation& observation)
-{
-    return observation.timestamp == INVALID_TIMESTAMP
-               ? std::numeric_limits<double>::quiet_NaN()
-               : mrpt::Clock::toDouble(observation.timestamp);
-}
 
 /// No match of so few points can pass the gate; as the first scan they would be a map that nothing
 /// fits.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/map/conversions.h>
 #include <rtob/slam/vehicle_level.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rtob
 {
@@ -22,9 +22,7 @@ VehicleLevel::VehicleLevel(const FusionOptions& options)
 
 void VehicleLevel::observe(const mrpt::obs::CObservation& observation)
 {
-    const double time_s = observation.timestamp == INVALID_TIMESTAMP
-                              ? std::numeric_limits<double>::quiet_NaN()
-                              : mrpt::Clock::toDouble(observation.timestamp);
+    const double time_s = stamp_of(observation);
     if (const auto tilt = tilt_in(observation)) addTilt(time_s, *tilt);
     if (const auto height_m = height_in(observation)) addHeight(time_s, *height_m);
 }

@@ -2,11 +2,14 @@
 #pragma once
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/math/TPose2D.h>
+#include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose2D.h>
 #include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
 
-/// Poses and points between the core and MRPT. All SI; yaw wrapped into [-pi, pi).
+#include <limits>
+
+/// Poses, points and stamps between the core and MRPT. All SI; yaw wrapped into [-pi, pi).
 namespace rtob
 {
 [[nodiscard]] inline Pose2 to_pose2(const mrpt::math::TPose2D& pose)
@@ -27,6 +30,14 @@ namespace rtob
 [[nodiscard]] inline mrpt::poses::CPose2D to_cpose2d(const Pose2& pose)
 {
     return {pose.x, pose.y, pose.yaw};
+}
+
+/// UNIX time [s]; not a number where the observation has none.
+[[nodiscard]] inline double stamp_of(const mrpt::obs::CObservation& observation)
+{
+    return observation.timestamp == INVALID_TIMESTAMP
+               ? std::numeric_limits<double>::quiet_NaN()
+               : mrpt::Clock::toDouble(observation.timestamp);
 }
 
 /// The map's own x and y; valid until the map changes.
