@@ -13,11 +13,6 @@ namespace
 {
 using mrpt::obs::CObservation2DRangeScan;
 using mrpt::obs::CObservationOdometry;
-
-bool is_finite(const Pose2& pose)
-{
-    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
-}
 }  // namespace
 
 ScanSteps::ScanSteps(const std::string& log, const RunConfig& config, const RunLimits& limits)

@@ -7,7 +7,6 @@
 #include <rtob/slam/scan_filter.h>
 
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <iomanip>
@@ -66,8 +65,7 @@ void add_step(Variant& variant, const ScanStep& step, double stamp_s, VariantRes
     const Pose2 pose_map_vehicle = variant.process(step);
     const double cpu_s = processor_time_s() - start_s;
     const std::chrono::duration<float, std::milli> wall = Clock::now() - start;
-    if (!std::isfinite(pose_map_vehicle.x) || !std::isfinite(pose_map_vehicle.y) ||
-        !std::isfinite(pose_map_vehicle.yaw))
+    if (!is_finite(pose_map_vehicle))
         throw std::runtime_error(
             "the pose at scan " + std::to_string(result.path.size() + 1) + " is not a number");
     result.path.push_back({stamp_s, pose_map_vehicle});

@@ -5,7 +5,6 @@
 #include <rtob/io/log_reader.h>
 #include <rtob/map/conversions.h>
 
-#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,13 +35,9 @@ class OdometryTrack
     [[nodiscard]] const std::optional<Pose2>& pose() const { return pose_odom_vehicle_; }
 
  private:
-    static bool isNumber(const Pose2& pose)
-    {
-        return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
-    }
     void set(const Pose2& pose)
     {
-        if (isNumber(pose)) pose_odom_vehicle_ = pose;
+        if (is_finite(pose)) pose_odom_vehicle_ = pose;
     }
     void move(const Pose2& pose_prev_now)
     {

@@ -73,7 +73,7 @@ std::vector<IndexMatch> granted(
 void check_pose(const StampedPose2& stamped, const char* name)
 {
     const Pose2& pose = stamped.pose;
-    if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw))
+    if (!is_finite(pose))
         throw std::runtime_error(
             "the pose of the " + std::string(name) + " at " + stamp_text(stamped.time_s) +
             " is not finite");

@@ -28,7 +28,7 @@ std::optional<std::size_t> pose_at(const StampIndex& stamps, double time_s)
 const Pose2& checked(const StampedPose2& stamped)
 {
     const Pose2& pose = stamped.pose;
-    if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw))
+    if (!is_finite(pose))
         throw std::runtime_error(
             "the trajectory's pose at " + stamp_text(stamped.time_s) + " is not finite");
     return pose;

@@ -15,11 +15,6 @@ constexpr double kLongestStep_s = 1.0;  // a velocity is not carried on for long
 // Of the usual step: what is believed of one, and what one may add to the mean.
 constexpr double kShortestStep = 0.5, kLongestStep = 2, kOutlierStep = 3;
 constexpr double kStepMemory = 0.05;  // the mean forgets within some twenty scans
-
-bool is_finite(const Pose2& pose)
-{
-    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
-}
 }  // namespace
 
 void PrealignOptions::validate() const

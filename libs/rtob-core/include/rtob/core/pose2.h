@@ -21,6 +21,11 @@ struct Pose2
     double yaw = 0;  ///< in [-pi, pi) where this file made it
 };
 
+[[nodiscard]] inline bool is_finite(const Pose2& pose)
+{
+    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+}
+
 /// A pose and when it was held.
 struct StampedPose2
 {
