@@ -68,13 +68,6 @@ Json guard_json(const GuardedPilot::Report& report)
     return guard;
 }
 
-void write_text(const std::string& file, const std::string& text)
-{
-    AtomicFile out(file);
-    out.stream() << text;
-    out.commit();
-}
-
 void write_configs(const OutputFolder& folder, const OnboardConfig& config)
 {
     AtomicFile replay(folder.file("config.effective.ini"));

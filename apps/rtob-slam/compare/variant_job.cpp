@@ -31,9 +31,7 @@ void write_job(const std::string& file, const VariantJob& job)
     json["seed"] = job.seed;
     json["time_limit_s"] = job.time_limit_s;
     json["title"] = job.title;
-    AtomicFile out(file);
-    out.stream() << json.dump(2) << "\n";
-    out.commit();
+    write_text(file, json.dump(2) + "\n");
 }
 
 VariantJob read_job(const std::string& file)

@@ -200,9 +200,7 @@ void run_variant(const VariantJob& job, const MakeVariant& make)
         {"map_size", map.size},
         {"map_unit", map.unit}};
     if (result.lost_scans) json["lost_scans"] = *result.lost_scans;
-    AtomicFile out(folder + "result.json");
-    out.stream() << json.dump(2) << "\n";
-    out.commit();
+    write_text(folder + "result.json", json.dump(2) + "\n");
 }
 
 void read_variant_run(const std::string& folder, ComparedRun& run)

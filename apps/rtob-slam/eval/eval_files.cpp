@@ -128,13 +128,6 @@ void write_pictures(const std::string& folder, const OfPaths& evaluation, const 
 {
     write_path_pictures(folder, pictures_of(evaluation), title);
 }
-
-void write_text(const std::string& file, const std::string& text)
-{
-    AtomicFile out(file);
-    out.stream() << text;
-    out.commit();
-}
 }  // namespace
 
 void write_eval_files(

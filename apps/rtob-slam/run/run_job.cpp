@@ -31,13 +31,6 @@ double peak_memory_mb()
     return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
 }
 
-void write_text(const std::string& file, const std::string& text)
-{
-    AtomicFile out(file);
-    out.stream() << text;
-    out.commit();
-}
-
 /// Keeps what the results need of each scan; the folder is made with the first one, so that a log
 /// without scans leaves nothing behind.
 class ScanRecorder

@@ -6,16 +6,6 @@
 
 namespace rtob
 {
-namespace
-{
-void write_text(const std::string& file, const std::string& text)
-{
-    AtomicFile out(file);
-    out.stream() << text;
-    out.commit();
-}
-}  // namespace
-
 void write_comparison_report(const std::string& folder, const Comparison& comparison)
 {
     write_text(folder + "/results.csv", comparison_csv(comparison));

@@ -43,4 +43,11 @@ void AtomicFile::commit()
     if (std::rename(part_file_.c_str(), file_.c_str()) != 0) fail(file_, errno);
     part_file_.clear();
 }
+
+void write_text(const std::string& file, const std::string& text)
+{
+    AtomicFile out(file);
+    out.stream() << text;
+    out.commit();
+}
 }  // namespace rtob

@@ -25,4 +25,7 @@ class AtomicFile
     std::string part_file_;
     std::ofstream stream_;
 };
+
+/// A whole file of this text.
+void write_text(const std::string& file, const std::string& text);
 }  // namespace rtob
