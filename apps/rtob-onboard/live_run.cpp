@@ -2,11 +2,12 @@
 #include "live_run.h"
 
 #include <rtob/core/enum_names.h>
+#include <rtob/core/processor_time.h>
 #include <rtob/drivers/unix_time.h>
-#include <sys/resource.h>
 
 #include <cstdlib>
 
+#include "run/peak_memory.h"
 #include "state_stream.h"
 
 namespace rtob
@@ -23,18 +24,6 @@ constexpr std::chrono::milliseconds kPatienceAtEnd{3000};
 double seconds(Clock::duration duration)
 {
     return std::chrono::duration<double>(duration).count();
-}
-
-/// The processor's time [s] and the peak of the memory [MB] of this process.
-std::pair<double, double> resources_used()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto in_seconds = [](const timeval& time)
-    { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-    return {
-        in_seconds(usage.ru_utime) + in_seconds(usage.ru_stime),
-        static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
 }
 
 /// Everything that lives while the program flies. What comes later in this list hands to what comes
@@ -106,7 +95,8 @@ class LiveRun
         summary.map_points = localiser_.slam().map().size();
         summary.map_scans = localiser_.slam().map().scans().size();
         summary.run_s = seconds(Clock::now() - begin_);
-        std::tie(summary.cpu_s, summary.memory_mb) = resources_used();
+        summary.cpu_s = process_processor_time_s();
+        summary.memory_mb = peak_memory_mb();
         write_live_results(folder_, config_, localiser_, scan_files_, summary);
         return summary;
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/variant_run.h"
 
+#include <rtob/core/processor_time.h>
 #include <rtob/eval/map_picture.h>
 #include <rtob/io/atomic_file.h>
 #include <rtob/io/tum.h>
 #include <rtob/slam/scan_filter.h>
 
 #include <chrono>
-#include <ctime>
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -34,14 +34,6 @@ struct VariantResult
     std::optional<std::uint64_t> lost_scans;
 };
 
-/// Of all threads: what the run takes from others on this computer.
-double processor_time_s()
-{
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// Of this program alone: getrusage() would count what its parent held when it started it.
 double peak_memory_mb()
 {
@@ -61,9 +53,9 @@ void add_step(Variant& variant, const ScanStep& step, double stamp_s, VariantRes
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const double start_s = processor_time_s();
+    const double start_s = process_processor_time_s();
     const Pose2 pose_map_vehicle = variant.process(step);
-    const double cpu_s = processor_time_s() - start_s;
+    const double cpu_s = process_processor_time_s() - start_s;
     const std::chrono::duration<float, std::milli> wall = Clock::now() - start;
     if (!is_finite(pose_map_vehicle))
         throw std::runtime_error(

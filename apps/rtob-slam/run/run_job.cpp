@@ -3,13 +3,13 @@
 #include "run/read_ahead.h"
 
 #include <rtob/core/enum_names.h>
-#include <sys/resource.h>
 
 #include <memory>
 #include <stdexcept>
 
 #include "run/map_files.h"
 #include "run/packed_object.h"
+#include "run/peak_memory.h"
 #include "run/scan_files.h"
 #include "run/simple_map_recorder.h"
 
@@ -22,13 +22,6 @@ using Clock = ProgressLine::Clock;
 double seconds_since(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double peak_memory_mb()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
 }
 
 /// Keeps what the results need of each scan; the folder is made with the first one, so that a log
