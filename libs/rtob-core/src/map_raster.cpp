@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster_pyramid.h"
+
 namespace rtob
 {
 namespace
@@ -33,8 +35,8 @@ void MapRaster::draw(const PointsView& points_map, const ScanTable& scans)
     markPoints(points_map);
     markNear();
     markSeen(points_map, scans);
-    drawCoarser(marks_);
-    drawCoarser(seen_);
+    for (Levels* levels : {&marks_, &seen_})
+        draw_pyramid(levels->data(), levels->size(), width_, height_);
 }
 
 int MapRaster::cellOf(double from_edge_m) const
@@ -124,27 +126,6 @@ void MapRaster::markRay(double from_x, double from_y, double to_x, double to_y)
     for (int step = 0; step < steps; ++step, x += step_x, y += step_y)
         if (x >= 0 && y >= 0 && x < width_ && y < height_)
             seen_[0][index(static_cast<int>(x), static_cast<int>(y))] = 1;
-}
-
-/// Level h holds the maximum over 2^h x 2^h cells from each.
-void MapRaster::drawCoarser(Levels& levels) const
-{
-    for (std::size_t level = 1; level < kLevels; ++level)
-    {
-        const int step = 1 << (level - 1);
-        const auto& below = levels[level - 1];
-        for (int y = 0; y < height_; ++y)
-        {
-            const int next_y = std::min(y + step, height_ - 1);
-            for (int x = 0; x < width_; ++x)
-            {
-                const int next_x = std::min(x + step, width_ - 1);
-                levels[level][index(x, y)] = std::max(
-                    std::max(below[index(x, y)], below[index(next_x, y)]),
-                    std::max(below[index(x, next_y)], below[index(next_x, next_y)]));
-            }
-        }
-    }
 }
 
 void MapRaster::collect(const Box& box_map, Points& points) const

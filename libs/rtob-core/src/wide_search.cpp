@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <rtob/core/simd.h>
 #include <rtob/core/wide_search.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "raster_pyramid.h"
 
 namespace rtob
 {
@@ -11,21 +12,6 @@ namespace
 {
 constexpr int kHit = 4, kNear = 2;  // a point on a reference cell, and on a cell beside one
 constexpr double kCell_m = 0.1;
-
-/// Row y of a coarser level, from rows y and y + step of the one below.
-RTOB_SIMD_CLONES void coarser_row(
-    const std::uint8_t* below, const std::uint8_t* below_step, int width, int step,
-    std::uint8_t* row)
-{
-    const auto larger = [](std::uint8_t a, std::uint8_t b) { return a < b ? b : a; };
-    const int inner = std::max(0, width - step);
-    for (int x = 0; x < inner; ++x)
-        row[x] =
-            larger(larger(below[x], below[x + step]), larger(below_step[x], below_step[x + step]));
-    for (int x = inner; x < width; ++x)
-        row[x] = larger(
-            larger(below[x], below[width - 1]), larger(below_step[x], below_step[width - 1]));
-}
 
 double range_of(const PointsView& points)
 {
@@ -85,24 +71,7 @@ void WideSearch::drawRaster(const PointsView& reference, const Box& within)
                     cell, static_cast<std::uint8_t>(dx == 0 && dy == 0 ? kHit : kNear));
             }
     }
-    drawCoarser();
-}
-
-/// Level h holds the maximum over 2^h x 2^h cells from each.
-void WideSearch::drawCoarser()
-{
-    for (int h = 1; h < kLevels; ++h)
-    {
-        const int step = 1 << (h - 1);
-        for (int y = 0; y < height_; ++y)
-        {
-            const auto row = [&](int level, int at_y)
-            { return levels_[static_cast<std::size_t>(level)].data() + at_y * width_; };
-            coarser_row(
-                row(h - 1, y), row(h - 1, std::min(y + step, height_ - 1)), width_, step,
-                row(h, y));
-        }
-    }
+    draw_pyramid(levels_.data(), levels_.size(), width_, height_);
 }
 
 /// @param mark once the score cannot exceed it any more, whatever it can still reach is returned.

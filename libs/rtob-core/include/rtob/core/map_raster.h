@@ -64,7 +64,6 @@ class MapRaster
     void markNear();
     void markSeen(const PointsView& points_map, const ScanTable& scans);
     void markRay(double from_x, double from_y, double to_x, double to_y);
-    void drawCoarser(Levels& levels) const;
 
     struct Mean
     {

@@ -44,7 +44,6 @@ class WideSearch
         int x, y;
     };
     void drawRaster(const PointsView& reference, const Box& within);
-    void drawCoarser();
     [[nodiscard]] int scoreOf(int level, int shift_x, int shift_y, int mark) const;
     void branch(int level, const Shift& parent, Shift& best);
 
