@@ -34,6 +34,14 @@ Json sensors_json(const std::vector<SensorReport>& sensors)
     return list;
 }
 
+Json fusion_json(const std::vector<SensorFigures>& sensors)
+{
+    Json fusion = Json::object();
+    for (const auto& figures : sensors)
+        fusion[std::string(name_of(figures.sensor))] = sensor_json(figures);
+    return fusion;
+}
+
 Json scans_json(const LiveSummary& summary)
 {
     Json scans{
@@ -111,6 +119,7 @@ std::string live_summary_json(const LiveSummary& summary)
         {"frames_unknown", autopilot.counters.unknown},
         {"problem", autopilot.problem}};
     json["sensors"] = sensors_json(summary.sensors);
+    json["fusion"] = fusion_json(summary.fusion);
     json["problems"] = summary.problems;
     json["line"] = live_line(summary);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

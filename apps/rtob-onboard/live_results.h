@@ -13,6 +13,7 @@
 #include "run/output_folder.h"
 #include "run/run_counters.h"
 #include "run/scan_files.h"
+#include "run/sensor_figures.h"
 #include "sensor_runner.h"
 
 namespace rtob
@@ -31,6 +32,7 @@ struct LiveSummary
     AutopilotThread::Report autopilot;
     std::optional<GuardedPilot::Report> pilot;  ///< where the guard was on
     std::vector<SensorReport> sensors;
+    std::vector<SensorFigures> fusion;  ///< what became of their readings
     std::vector<std::string> problems;  ///< with the results themselves
 };
 

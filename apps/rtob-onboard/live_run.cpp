@@ -92,6 +92,7 @@ class LiveRun
         summary.autopilot = autopilot_.report();
         if (config_.pilot.enabled) summary.pilot = pilot_.report();
         for (const auto& sensor : sensors_) summary.sensors.push_back(sensor->report());
+        summary.fusion = sensor_figures(localiser_.slam().motion());
         summary.map_points = localiser_.slam().map().size();
         summary.map_scans = localiser_.slam().map().scans().size();
         summary.run_s = seconds(Clock::now() - begin_);
