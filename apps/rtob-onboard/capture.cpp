@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "capture.h"
 
+#include <mrpt/system/thread_name.h>
 #include <rtob/io/scan_timing.h>
 
 #include <array>
@@ -59,7 +60,7 @@ void Capture::finish()
         const std::lock_guard lock(mutex_);
         ends_ = true;
     }
-    ends_early_.notify_all();
+    changed_.notify_all();
     if (!writing_.joinable()) return;
     writing_.join();
     syncing_.join();
@@ -81,13 +82,14 @@ Capture::State Capture::state() const
 
 void Capture::write()
 {
+    mrpt::system::thread_name("capture");
     const std::chrono::duration<double> period(options_.flush_s);
     for (bool ends = false; !ends;)
     {
         Objects objects;
         {
             std::unique_lock lock(mutex_);
-            ends = ends_early_.wait_for(lock, period, [this] { return ends_; });
+            ends = changed_.wait_for(lock, period, [this] { return ends_; });
             objects.swap(waiting_);
         }
         try
@@ -105,15 +107,19 @@ void Capture::write()
     }
 }
 
+/// Follows each flush at once: what a loss of power takes is a flush period, and the disk's own
+/// time.
 void Capture::sync()
 {
-    const std::chrono::duration<double> period(options_.flush_s);
+    mrpt::system::thread_name("capture_sync");
     for (bool ends = false; !ends;)
     {
         std::shared_ptr<CaptureFile> file;
         {
             std::unique_lock lock(mutex_);
-            ends = ends_early_.wait_for(lock, period, [this] { return ends_; });
+            changed_.wait(lock, [this] { return ends_ || is_to_sync_; });
+            ends = ends_;
+            is_to_sync_ = false;
             file = file_;
         }
         try
@@ -144,6 +150,8 @@ void Capture::writeObjects(const Objects& objects)
     const std::lock_guard lock(mutex_);
     state_.objects += objects.size();
     state_.bytes = bytes_of_full_files_ + file_->bytes();
+    is_to_sync_ = true;
+    changed_.notify_all();
     if (!is_full) return;
     bytes_of_full_files_ = state_.bytes;
     file_ = std::make_shared<CaptureFile>(nextName());

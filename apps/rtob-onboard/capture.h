@@ -57,11 +57,11 @@ class Capture
     std::string folder_;
     mutable std::mutex mutex_;           ///< guards what follows
     std::shared_ptr<CaptureFile> file_;  ///< written to by the writing thread alone
-    std::condition_variable ends_early_;
+    std::condition_variable changed_;
     Objects waiting_;
     State state_;
     std::uint64_t bytes_of_full_files_ = 0;
-    bool ends_ = false;
+    bool is_to_sync_ = false, ends_ = false;
     std::thread writing_, syncing_;
 };
 }  // namespace rtob

@@ -10,7 +10,7 @@
 
 #include "onboard_capture.h"
 
-/// `./dev faults` runs these at length: RTOB_FAULTS and RTOB_KILLS say how often.
+/// `./dev flights faults kills` runs these at length: RTOB_FAULTS and RTOB_KILLS say how often.
 namespace rtob::test
 {
 namespace
@@ -24,24 +24,31 @@ TEST_F(Onboard, LosesAtMostTheLastSecondToKillMinus9)
     const RplidarOnTerminal laser(laserPort(), devices::model_a2(), house_from(unix_time_s()));
     const std::string ini = write();
     std::mt19937 random(4);
-    double longest_s = 0;
+    std::vector<float> missing_s, starts_s;
     const int kills = times_of("RTOB_KILLS", 3);
     for (int i = 0; i < kills; ++i)
     {
+        const double begin_s = unix_time_s();
         RunningProgram program(RTOB_ONBOARD, {ini});
-        ASSERT_TRUE(states_.waitForMore(10));
+        ASSERT_TRUE(states_.waitForMore(1)) << "start " << i;
+        starts_s.push_back(static_cast<float>(unix_time_s() - begin_s));
+        ASSERT_TRUE(states_.waitForMore(9)) << "start " << i;
         wait_s(0.001 * static_cast<double>(random() % 1000));
-        const double last_s = states_.states().back()["stamp_s"];
         program.send(SIGKILL);
         EXPECT_EQ(-1, program.wait().exit_code);
+        wait_s(0.05);  // the last word may be on its way
+        const double last_s = states_.states().back()["stamp_s"];
         const auto capture = read_capture(logged(flights().back()));
         ASSERT_FALSE(capture.scans.empty()) << "kill " << i;
         EXPECT_EQ("", capture.damage) << "kill " << i;
-        longest_s = std::max(longest_s, last_s - capture.scans.back());
+        missing_s.push_back(static_cast<float>(last_s - capture.scans.back()));
         std::filesystem::remove_all(flights().back());
     }
-    std::cout << kills << " times kill -9: at most the last " << longest_s << " s missing\n";
-    EXPECT_LT(longest_s, 2.0);  // half a second, and more on a busy machine
+    std::cout << kills << " times kill -9: missing are the last " << percentile(missing_s, 0.5)
+              << " s p50, " << percentile(missing_s, 1) << " s at most; first pose "
+              << percentile(starts_s, 0.5) << " s after the start p50, " << percentile(starts_s, 1)
+              << " s at most\n";
+    EXPECT_LT(percentile(missing_s, 1), 1.0);
 }
 
 /// A fault, and when it was over: from then on scans may be expected.
