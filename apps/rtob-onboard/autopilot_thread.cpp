@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "autopilot_thread.h"
 
+#include <mrpt/system/thread_name.h>
 #include <rtob/drivers/back_off.h>
 #include <rtob/drivers/byte_link.h>
 #include <rtob/drivers/unix_time.h>
@@ -58,6 +59,7 @@ AutopilotThread::Report AutopilotThread::report() const
 
 void AutopilotThread::live()
 {
+    mrpt::system::thread_name("autopilot");
     BackOff back_off;
     while (!ends_)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guarded_pilot.h"
 
+#include <mrpt/system/thread_name.h>
 #include <rtob/core/enum_names.h>
 #include <rtob/core/option_checks.h>
 #include <rtob/core/processor_time.h>
@@ -118,6 +119,7 @@ GuardedPilot::Report GuardedPilot::report() const
 
 void GuardedPilot::decideOnAndOn()
 {
+    mrpt::system::thread_name("guard");
     every(
         1 / config_.pilot.command_hz, ends_,
         [this]
@@ -129,6 +131,7 @@ void GuardedPilot::decideOnAndOn()
 
 void GuardedPilot::sendOnAndOn()
 {
+    mrpt::system::thread_name("guard_watchdog");
     every(
         1 / config_.pilot.command_hz, ends_,
         [this]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "live_run.h"
 
+#include <mrpt/system/thread_name.h>
 #include <rtob/core/enum_names.h>
 #include <rtob/core/processor_time.h>
 #include <rtob/drivers/unix_time.h>
@@ -106,6 +107,7 @@ class LiveRun
     /// Until the end, and until the queue is empty then.
     void localise()
     {
+        mrpt::system::thread_name("localise");
         for (;;)
         {
             const bool ends = ends_;

@@ -5,11 +5,14 @@
 #include <mrpt/hwdrivers/C2DRangeFinderAbstract.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/system/COutputLogger.h>
+#include <mrpt/system/thread_name.h>
 #include <rtob/drivers/back_off.h>
 #include <rtob/drivers/register_drivers.h>
 #include <rtob/drivers/sensor_status.h>
 #include <rtob/io/scan_timing.h>
 
+#include <algorithm>
+#include <regex>
 #include <stdexcept>
 #include <thread>
 
@@ -74,6 +77,8 @@ SensorReport SensorRunner::report() const
 
 void SensorRunner::live()
 {
+    constexpr std::size_t longest_name = 15;  // that Linux takes
+    mrpt::system::thread_name(section_.name.substr(0, longest_name));
     BackOff back_off;
     while (!ends_)
     {

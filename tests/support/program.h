@@ -47,6 +47,7 @@ class RunningProgram
     RunningProgram(const RunningProgram&) = delete;
     RunningProgram& operator=(const RunningProgram&) = delete;
 
+    [[nodiscard]] pid_t id() const { return pid_; }
     void send(int signal) const { kill(pid_, signal); }
 
     ProgramResult wait()
