@@ -14,6 +14,7 @@
 
 #include "autopilot_thread.h"
 #include "sensor_runner.h"
+#include "state_stream.h"
 
 namespace rtob
 {
@@ -115,6 +116,27 @@ bool check_port(const SensorSection& section, std::ostream& out)
             (error || may_use ? "" : ": this user may not read and write it"));
 }
 
+std::string autopilot_text(const AutopilotThread::Report& report)
+{
+    const std::string clocks = report.is_synchronised ? "synchronised" : "not synchronised";
+    return (report.is_connected ? "alive, clocks " + clocks : "no heartbeat") + "; " +
+           std::to_string(report.counters.frames) + " frames, " +
+           std::to_string(report.counters.damaged) + " damaged";
+}
+
+bool check_stream(const StateStreamOptions& options, std::ostream& out)
+{
+    try
+    {
+        const StateStream stream(options);
+        return true;
+    }
+    catch (const std::exception& error)
+    {
+        return tell(out, false, error.what());
+    }
+}
+
 bool is_starting(const std::vector<std::shared_ptr<SensorRunner>>& sensors)
 {
     return std::any_of(
@@ -136,7 +158,7 @@ bool check_folder(const std::string& folder, std::ostream& out)
     return tell(
         out, can_write && space.available > 100'000'000,
         "output folder " + folder + ": " +
-            (error ? error.message()
+            (error ? error.message() + "; name another one: section [Onboard], key output_folder"
                    : std::string(can_write ? "" : "cannot be written, ") +
                          std::to_string(space.available / 1'000'000) + " MB free"));
 }
@@ -159,6 +181,7 @@ bool check_onboard(
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
 
     bool ok = check_folder(config.onboard.output_folder, out);
+    ok &= check_stream(config.stream, out);
     for (const auto& section : config.sensors) ok &= check_port(section, out);
     for (const auto& sensor : sensors)
     {
@@ -178,17 +201,13 @@ bool check_onboard(
         ok &= tell(
             out, report.is_connected,
             "autopilot at " + config.autopilot.link + ": " +
-                (!report.problem.empty() ? report.problem
-                 : report.is_connected
-                     ? "alive, clocks " + std::string(report.is_synchronised ? "" : "not ") +
-                           "synchronised"
-                     : "no heartbeat") +
-                "; " + std::to_string(report.counters.frames) + " frames, " +
-                std::to_string(report.counters.damaged) + " damaged");
+                (report.problem.empty() ? autopilot_text(report) : report.problem));
     }
     for (const auto& sensor : sensors) sensor->askToEnd();
     for (const auto& sensor : sensors)
         static_cast<void>(sensor->waitForEnd(std::chrono::seconds(2)));
+    out << (ok ? "All is well." : "Not ready: mend what says FAIL; docs/onboard.md has a table.")
+        << std::endl;
     return ok;
 }
 }  // namespace rtob

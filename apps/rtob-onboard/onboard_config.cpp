@@ -2,10 +2,11 @@
 #include "onboard_config.h"
 
 #include <rtob/core/option_checks.h>
-#include <rtob/drivers/register_drivers.h>
 #include <rtob/map/options_io.h>
 
 #include <algorithm>
+
+#include "sensor_runner.h"
 
 namespace rtob
 {
@@ -50,6 +51,23 @@ double number_of(
     return value;
 }
 
+/// Whether there is such a driver, and whether it takes the section's keys.
+void check_driver(
+    const mrpt::config::CConfigFileBase& ini, const std::string& section, const std::string& where)
+{
+    const auto driver = create_quiet_sensor(config_value(ini, section, "driver"), where);
+    try
+    {
+        driver->loadConfig(ini, section);
+    }
+    catch (const std::exception& error)
+    {
+        const std::string what = plain_message(error);
+        const bool tells_where = what.rfind(config_name(ini), 0) == 0;  // as our own drivers do
+        throw std::runtime_error(tells_where ? what : where + what);
+    }
+}
+
 SensorSection sensor_of(const mrpt::config::CConfigFileBase& ini, const std::string& section)
 {
     SensorSection sensor;
@@ -67,7 +85,7 @@ SensorSection sensor_of(const mrpt::config::CConfigFileBase& ini, const std::str
             where + "key process_rate is missing: how often the sensor is asked [Hz], e.g. 50");
     if (number_of(ini, section, "process_rate", 0) <= 0)
         throw std::runtime_error(where + "key process_rate: must be > 0");
-    static_cast<void>(create_sensor(sensor.driver, where));  // is there such a driver?
+    check_driver(ini, section, where);
     return sensor;
 }
 
@@ -125,6 +143,12 @@ OnboardConfig load_onboard_config(const mrpt::config::CConfigFileBase& ini)
             known.push_back(name);
             if (!is_ignored(ini, name)) config.sensors.push_back(sensor_of(ini, name));
         }
+    if (known.size() == own_sections().size())
+        throw std::runtime_error(
+            config_name(ini) +
+            ": no section has a key `driver`, which makes it a sensor's: e.g. [Laser] with driver "
+            "= "
+            "RtobRplidar. config/onboard.ini is an example to begin with.");
     check_sections(ini, known);
     visit_sections(
         config,
@@ -137,7 +161,7 @@ OnboardConfig load_onboard_config(const mrpt::config::CConfigFileBase& ini)
     if (config.sensors.empty())
         throw std::runtime_error(
             config_name(ini) +
-            ": no sensor. Add a section with a key `driver`, e.g. driver = RtobRplidar.");
+            ": all sensors are switched off. Take rawlog-grabber-ignore out of one section.");
     return config;
 }
 }  // namespace rtob

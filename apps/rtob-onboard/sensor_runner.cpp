@@ -41,8 +41,18 @@ std::string plain_message(const std::exception& error)
     std::string text = error.what();
     if (const auto* mrpt_error = dynamic_cast<const mrpt::ExceptionWithCallBackBase*>(&error))
         text = mrpt_error->originalWhat;
-    const auto end = text.find('\n');
-    return end == std::string::npos ? text : text.substr(0, end);
+    text.resize(std::min(text.find('\n'), text.size()));
+    static const std::regex place_in_mrpt(R"(^\S+:[0-9]+: \[.*?\] )");
+    return std::regex_replace(text, place_in_mrpt, "");
+}
+
+std::unique_ptr<CGenericSensor> create_quiet_sensor(
+    const std::string& driver, const std::string& where)
+{
+    auto sensor = create_sensor(driver, where);
+    if (auto* logger = dynamic_cast<mrpt::system::COutputLogger*>(sensor.get()))
+        logger->logging_enable_console_output = false;
+    return sensor;
 }
 
 std::shared_ptr<SensorRunner> SensorRunner::start(
@@ -104,9 +114,7 @@ void SensorRunner::live()
 /// Until the end, or an exception.
 void SensorRunner::serve()
 {
-    const auto sensor = create_sensor(section_.driver, "section " + section_.name + ", ");
-    if (auto* logger = dynamic_cast<mrpt::system::COutputLogger*>(sensor.get()))
-        logger->logging_enable_console_output = false;  // the reports say it
+    const auto sensor = create_quiet_sensor(section_.driver, "section " + section_.name + ", ");
     {
         const std::lock_guard lock(configuration_mutex());
         sensor->loadConfig(ini_, section_.name);

@@ -59,6 +59,11 @@ class SensorRunner : public std::enable_shared_from_this<SensorRunner>
     SensorReport report_;
 };
 
-/// What went wrong, without MRPT's call stacks.
+/// A driver that prints nothing: its problems stand in the reports. Throws where there is none.
+/// @param where the place in the configuration, for the message
+[[nodiscard]] std::unique_ptr<mrpt::hwdrivers::CGenericSensor> create_quiet_sensor(
+    const std::string& driver, const std::string& where);
+
+/// What went wrong, without MRPT's call stacks and places in its sources.
 [[nodiscard]] std::string plain_message(const std::exception& error);
 }  // namespace rtob

@@ -32,7 +32,7 @@ sockaddr_in address_of(const std::string& host, unsigned port, const char* key)
 {
     const std::string reason = std::strerror(errno);
     close(socket);
-    throw std::runtime_error("state stream: " + what + ": " + reason);
+    throw std::runtime_error("section [StateStream]: " + what + ": " + reason);
 }
 }  // namespace
 
@@ -72,7 +72,9 @@ StateStream::StateStream(const StateStreamOptions& options)
         setsockopt(tcp_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
         if (bind(tcp_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
             listen(tcp_, 4) != 0)
-            refuse(tcp_, "cannot listen at port " + std::to_string(options.tcp_port));
+            refuse(
+                tcp_,
+                "cannot listen at " + options.tcp_bind + ":" + std::to_string(options.tcp_port));
     }
 }
 

@@ -39,6 +39,10 @@ void set_motion(
 
 void AutopilotOptions::validate() const
 {
+    const auto begins = [this](const char* with) { return link.rfind(with, 0) == 0; };
+    require(
+        link.empty() || begins("/") || begins("udp:") || begins("udpin:"), "link", link,
+        "a serial port such as /dev/autopilot, or udp:HOST:PORT");
     require(baud >= 1200, "baud", baud, ">= 1200");
     require(pose_hz >= 0 && pose_hz <= 100, "pose_hz", pose_hz, "0 to 100");
     require(system_id >= 1 && system_id <= 255, "system_id", system_id, "1 to 255");

@@ -20,7 +20,7 @@ const char* advice(int error)
     switch (error)
     {
         case ENOENT:
-            return ". Plug the device in, or put its name into COM_port_LIN: ls /dev/serial/by-id";
+            return ". Is it plugged in, and is this its name? ls /dev/serial/by-id";
         case EACCES:
             return ". Join the group that may use it (sudo adduser $USER dialout) and log in anew";
         case EBUSY:
@@ -38,7 +38,7 @@ SerialPort::SerialPort(std::string device, unsigned baud) : device_(std::move(de
     try
     {
         // A second program on the same line would take half of the bytes.
-        if (ioctl(file_, TIOCEXCL) != 0) fail("cannot be taken for this program alone");
+        if (ioctl(file_, TIOCEXCL) != 0) fail("is no serial line");
         configure();
     }
     catch (...)
