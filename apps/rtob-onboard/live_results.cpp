@@ -131,12 +131,12 @@ std::string live_line(const LiveSummary& summary)
     const auto& ms = summary.latencies_ms;
     std::snprintf(
         text.data(), text.size(),
-        "%zu scans localised, %zu dropped, %zu lost; latency %.1f ms p50, %.1f ms p99; %.1f m in "
-        "%.0f s; %.0f %% CPU, %.0f MB; captured %.1f MB",
+        "%zu scans localised, %zu dropped, %zu lost; latency %.1f ms p50, %.1f p99, %.1f max; "
+        "%.1f m in %.0f s; %.0f %% CPU, %.0f MB; captured %.1f MB",
         static_cast<std::size_t>(summary.counters.scans()),
         static_cast<std::size_t>(summary.dropped_scans),
         static_cast<std::size_t>(summary.counters.lost()), percentile(ms, 0.5),
-        percentile(ms, 0.99), summary.counters.pathLength(), summary.run_s,
+        percentile(ms, 0.99), percentile(ms, 1), summary.counters.pathLength(), summary.run_s,
         summary.run_s > 0 ? 100 * summary.cpu_s / summary.run_s : 0.0, summary.memory_mb,
         1e-6 * static_cast<double>(summary.capture.bytes));
     return text.data();
