@@ -183,10 +183,41 @@ TEST(Icp, ACorridorIsUncertainAlongItself)
             ASSERT_TRUE(result.covariance.allFinite());
             const Eigen::Matrix2d position = result.covariance.topLeftCorner<2, 2>();
             const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(position);
-            EXPECT_GE(axes.eigenvalues()(1), 10 * axes.eigenvalues()(0));
+            EXPECT_GE(axes.eigenvalues()(1), 10 * 10 * axes.eigenvalues()(0));
             const Eigen::Vector2d along(std::cos(direction_rad), std::sin(direction_rad));
             EXPECT_GT(std::abs(axes.eigenvectors().col(1).dot(along)), 0.999);
         }
+}
+
+TEST(Icp, TheNoiseOfBareWallsFeignsNoKnowledgeAlongThem)
+{
+    Random random(3);
+    std::vector<Points> noisy(2, corridor(0));
+    for (Points& points : noisy)
+        for (float& y : points.y) y += 0.02f * static_cast<float>(random.uniform() - 0.5);
+    const auto result = Icp(line_options()).align(noisy[0].view(), noisy[1].view());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+        result.covariance.topLeftCorner<2, 2>().eval());
+    EXPECT_GT(std::sqrt(axes.eigenvalues()(1)), 10.0);
+    EXPECT_GT(result.information(0, 0), 0.01) << "of which nothing is left";
+    // 402 pairs of at least 1 cm, four of which count as one.
+    EXPECT_NEAR(0.01 / std::sqrt(402 / 4.0), std::sqrt(axes.eigenvalues()(0)), 1e-4);
+}
+
+TEST(Icp, TheWeakDirectionIsAlongTheCorridor)
+{
+    for (const double direction_rad : {0.0, 0.5, -1.2})
+    {
+        const Points walls = corridor(direction_rad);
+        const auto result = Icp(line_options()).align(walls.view(), walls.view());
+        const WeakDirection weak = weak_direction(result.information);
+        EXPECT_NEAR(weak.share, 0, 1e-6);
+        EXPECT_NEAR(weak.angle_rad, direction_rad, 1e-3);
+    }
+    EXPECT_EQ(weak_direction(Eigen::Matrix3d::Zero()).share, 0.5) << "nothing is weaker than all";
+    const WeakDirection of_two = weak_direction(Eigen::Vector3d(30, 10, 1).asDiagonal());
+    EXPECT_NEAR(of_two.share, 0.25, 1e-12);
+    EXPECT_NEAR(std::abs(of_two.angle_rad), 1.5707963, 1e-6);
 }
 
 TEST(Icp, ARoomIsCertainInAllDirections)

@@ -85,9 +85,19 @@ struct IcpResult
     double paired_share = 0;        ///< [0, 1] of the scan's points
     double known_share = 0;         ///< [0, 1] of the points where the reference knows something
     double mean_squared_error = 0;  ///< m^2, over the pairs [sec. 2.1.3]
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();     ///< of x, y, yaw, for 1 m of noise
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< x, y, yaw; m^2, rad^2
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of x, y, yaw, for 1 m of noise
+    /// Of x, y, yaw; m^2, rad^2. Honest: pairs err alike, and bare walls feign to tell the place.
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
+
+/// The direction of translation that pairs say least about.
+struct WeakDirection
+{
+    double share = 0.5;    ///< of the information of both directions; [0, 0.5]
+    double angle_rad = 0;  ///< seen from x, in (-pi/2, pi/2]
+};
+/// @param information of x, y, yaw
+[[nodiscard]] WeakDirection weak_direction(const Eigen::Matrix3d& information);
 
 /// What is known of the correction before the scan is looked at: its mean is zero.
 struct CorrectionPrior
