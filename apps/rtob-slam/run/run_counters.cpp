@@ -34,6 +34,7 @@ void RunCounters::add(const ScanReport& report)
     inserted_ += report.inserted;
     anchored_ += report.anchored;
     searched_ += report.searched;
+    held_by_guess_ += report.held_by_guess;
     beams_ += report.beams;
     log_time_s_ = report.map_time_s;
     scan_ms_.push_back(static_cast<float>(1e3 * report.times.total()));

@@ -59,6 +59,8 @@ class RunCounters
     [[nodiscard]] std::uint64_t inserted() const { return inserted_; }
     [[nodiscard]] std::uint64_t anchored() const { return anchored_; }
     [[nodiscard]] std::uint64_t searched() const { return searched_; }
+    /// Scans that left a direction open, as along a corridor.
+    [[nodiscard]] std::uint64_t heldByGuess() const { return held_by_guess_; }
     [[nodiscard]] const BeamCounts& beams() const { return beams_; }
     [[nodiscard]] double pathLength() const { return path_m_; }
     /// How long the log took by the map's clock, which knows no jumps [s].
@@ -69,7 +71,7 @@ class RunCounters
  private:
     std::array<std::uint64_t, enum_names(ScanFate{}).size()> fates_{};
     std::array<std::uint64_t, enum_names(TrackingState{}).size()> states_{};
-    std::uint64_t times_lost_ = 0, inserted_ = 0, anchored_ = 0, searched_ = 0;
+    std::uint64_t times_lost_ = 0, inserted_ = 0, anchored_ = 0, searched_ = 0, held_by_guess_ = 0;
     BeamCounts beams_;
     double path_m_ = 0, log_time_s_ = 0;
     std::vector<float> scan_ms_;

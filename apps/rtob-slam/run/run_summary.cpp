@@ -41,6 +41,7 @@ Json scans_json(const RunCounters& counters)
     scans["written_to_map"] = counters.inserted();
     scans["anchored"] = counters.anchored();
     scans["searched"] = counters.searched();
+    scans["held_by_guess"] = counters.heldByGuess();
     return scans;
 }
 

@@ -26,18 +26,25 @@ std::string stamp_text(const ScanReport& report)
     return fixed_text(written_stamp(report), 6);
 }
 
+void write_covariance(std::ostream& out, const Eigen::Matrix3d& cov)
+{
+    for (const double term : {cov(0, 0), cov(0, 1), cov(0, 2), cov(1, 1), cov(1, 2), cov(2, 2)})
+        out << ',' << option_text(term);
+}
+
 void write_pose_line(std::ostream& out, const ScanReport& report)
 {
     const Pose2& pose = report.pose_map_vehicle;
-    const auto& cov = report.covariance;
     out << stamp_text(report) << ',' << fixed_text(report.map_time_s, 6) << ','
         << fixed_text(pose.x, 6) << ',' << fixed_text(pose.y, 6) << ',' << fixed_text(pose.yaw, 9)
         << ',' << name_of(report.state) << ',' << name_of(fate_of(report));
-    for (const double term : {cov(0, 0), cov(0, 1), cov(0, 2), cov(1, 1), cov(1, 2), cov(2, 2)})
-        out << ',' << option_text(term);
+    write_covariance(out, report.covariance);
     out << ',' << option_text(report.mean_squared_error_m2) << ','
         << fixed_text(report.paired_share, 4) << ',' << report.pairs << ',' << report.beams.used
-        << ',' << report.inserted << ',' << report.anchored << ',' << report.searched << '\n';
+        << ',' << report.inserted << ',' << report.anchored << ',' << report.searched;
+    write_covariance(out, report.covariance_in_map);
+    out << ',' << fixed_text(report.weak.share, 5) << ',' << fixed_text(report.weak.angle_rad, 4)
+        << '\n';
 }
 
 void write_time_line(std::ostream& out, const ScanReport& report)
@@ -68,7 +75,9 @@ ScanFiles::ScanFiles(const OutputFolder& folder)
     poses_.stream() << "stamp_s,map_time_s,x_m,y_m,yaw_rad,state,scan,cov_x_x_m2,cov_x_y_m2,"
                        "cov_x_yaw_m_rad,cov_y_y_m2,cov_y_yaw_m_rad,cov_yaw_yaw_rad2,"
                        "mean_squared_error_m2,paired_share,pairs,beams_used,inserted,anchored,"
-                       "searched\n";
+                       "searched,map_cov_x_x_m2,map_cov_x_y_m2,map_cov_x_yaw_m_rad,map_cov_y_y_m2,"
+                       "map_cov_y_yaw_m_rad,map_cov_yaw_yaw_rad2,weak_share,"
+                       "weak_rad\n";
     timing_.stream() << "stamp_s,total_ms,filter_ms,prealign_ms,draw_ms,align_ms,anchor_ms,"
                         "search_ms,insert_ms\n";
 }

@@ -12,9 +12,6 @@ namespace
 // A map that fewer scans have met may start anew with a richer scan that does not fit it.
 constexpr std::size_t kYoungMap_scans = 3;
 
-// What a scan without a match adds to the uncertainty of the pose, one sigma.
-constexpr double kBlindStep_m = 0.05, kBlindTurn_rad = 0.02;
-
 /// No match of so few points can pass the gate; as the first scan they would be a map that nothing
 /// fits.
 bool is_too_small(const Points& points_vehicle, const FitGateOptions& gate)
@@ -45,6 +42,7 @@ Slam::Slam(const SlamOptions& options)
       filter_(options.scan_filter),
       motion_(options.prealign.source, options.fusion, options.scan),
       prealignment_(options.prealign),
+      belief_(options.fusion),
       icp_(options.icp),
       tracking_(options.tracking),
       insertion_(options.insertion),
@@ -101,13 +99,11 @@ void Slam::begin(const mrpt::obs::CObservation2DRangeScan& scan)
 {
     const double stamp_s = stamp_of(scan);
     const TrackingState state = report_.state;
-    const Eigen::Matrix3d covariance = report_.covariance;
     report_ = ScanReport();
     report_.stamp_s = stamp_s;
     ++scans_of_map_;
     report_.map_time_s = map_.tick(stamp_s);
     report_.state = state;
-    report_.covariance = covariance;
     const StepTimer timer(report_.times.prealign_s);
     motion_.beginScan(stamp_s, scan);
 }
@@ -123,7 +119,12 @@ void Slam::filter(const mrpt::obs::CObservation2DRangeScan& scan)
 Pose2 Slam::prealign()
 {
     const StepTimer timer(report_.times.prealign_s);
-    return predicted();
+    const Pose2 pose_map_init = predicted();
+    const Pose2& last = prealignment_.last();
+    belief_.advance(
+        prealignment_.stepTo(report_.stamp_s), {pose_map_init.x - last.x, pose_map_init.y - last.y},
+        prealignment_.goesByOdometry());
+    return pose_map_init;
 }
 
 Pose2 Slam::predicted() const
@@ -155,10 +156,10 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
     report_.searched = false;  // nothing of what was found is used
     report_.map_time_s = map_.tick(report_.stamp_s);
     tracking_.start();
-    Match match{pose_map_init, {}, FitVerdict::Good};
-    match.fit.covariance.setZero();  // the map's frame is the first pose, by definition
-    report(match, tracking_.state());
-    insert(match, laser);
+    report({pose_map_init, {}, FitVerdict::Good, pose_map_init}, tracking_.state());
+    belief_.begin();  // the map's frame is the first pose, by definition
+    report_.covariance = report_.covariance_in_map = belief_.inMap();
+    insert(Match{pose_map_init, {}, FitVerdict::Good}, laser);
     return report_;
 }
 
@@ -177,20 +178,27 @@ void Slam::report(const Match& match, TrackingState state)
     report_.state = state;
     report_.verdict = match.verdict;
     report_.pose_map_vehicle = matched ? match.pose_map_vehicle : predicted();
+    Eigen::Matrix3d believed = Eigen::Matrix3d::Identity();
     if (matched)
     {
-        report_.covariance = match.fit.covariance;
         matched_at_ = match.pose_map_vehicle;
+        believed = velocity_shown(match.fit_local);
+        belief_.matched(match.fit_local.covariance);
+        if (match.covariance_old) belief_.held(*match.covariance_old);
     }
-    else
-        report_.covariance.diagonal() += Eigen::Vector3d(
-            kBlindStep_m * kBlindStep_m, kBlindStep_m * kBlindStep_m,
-            kBlindTurn_rad * kBlindTurn_rad);
+    report_.covariance = belief_.inLocalMap();
+    report_.covariance_in_map = belief_.inMap();
+    report_.weak = weak_direction(match.fit_local.information);
+    report_.held_by_guess = matched && options_.icp.metric == IcpMetric::PointToLine &&
+                            report_.weak.share < options_.icp.weak_share;
     report_.mean_squared_error_m2 = match.fit.mean_squared_error;
     report_.paired_share = match.fit.paired_share;
     report_.pairs = match.fit.pairs;
-    prealignment_.settle(report_.stamp_s, report_.pose_map_vehicle, matched);
-    motion_.settle(report_.pose_map_vehicle, report_.covariance, matched);
+    prealignment_.settle(
+        report_.stamp_s, matched ? match.pose_map_local : report_.pose_map_vehicle, matched,
+        believed);
+    prealignment_.correct(report_.pose_map_vehicle);
+    motion_.settle(report_.pose_map_vehicle, match.fit_local.covariance, matched);
 }
 
 /// Only what was matched while TRACKING enters the map. What a search found must first be confirmed
@@ -204,6 +212,7 @@ void Slam::insert(const Match& match, const std::string& laser)
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(laser, report_.map_time_s, report_.pose_map_vehicle);
     travel_.inserted(report_.pose_map_vehicle);
+    belief_.inserted();
     report_.inserted = true;
 }
 
@@ -228,6 +237,7 @@ void Slam::reset(const Pose2& pose_map_vehicle)
 {
     prealignment_.reset(pose_map_vehicle);
     motion_.reset(pose_map_vehicle);
+    belief_.begin();
     matched_at_ = pose_map_vehicle;
     local_.drop();
     report_.pose_map_vehicle = pose_map_vehicle;

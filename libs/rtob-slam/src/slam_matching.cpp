@@ -77,6 +77,8 @@ Slam::Match Slam::alignAround(const Pose2& pose_map_init)
     match.fit = local_.align(icp_, points_turned_.view(), pose_map_init);
     match.pose_map_vehicle = apply_correction(pose_map_init, match.fit.correction);
     match.verdict = judge_fit(match.fit, options_.fit_gate);
+    match.pose_map_local = match.pose_map_vehicle;
+    match.fit_local = match.fit;
     return match;
 }
 
@@ -139,6 +141,7 @@ void Slam::anchor(Match& match)
     report_.anchored = true;
     match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);
     match.fit = *old_fit;
+    match.covariance_old = old_fit->covariance;
     drift_.held(travel_, *old_fit);
 }
 
@@ -152,6 +155,7 @@ void Slam::closeLoop(Match& match)
     if (!found) return;
     report_.closed_loop = true;
     match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, found->correction);
+    match.covariance_old = found->covariance;
     drift_.held(travel_, *found);
 }
 }  // namespace rtob

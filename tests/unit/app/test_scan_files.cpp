@@ -26,6 +26,8 @@ ScanReport report_at(double stamp_s)
     report.pairs = 30;
     report.paired_share = 1.0 / 3;
     report.covariance(0, 2) = 0.25;
+    report.covariance_in_map(1, 1) = 0.5;
+    report.weak = {0.125, -0.75};
     report.times.draw_s = 0.001;
     report.times.align_s = 0.002;
     return report;
@@ -53,7 +55,8 @@ TEST(ScanFiles, HaveALineForEveryScanInItsOrder)
     EXPECT_EQ(
         poses[1],
         "1234567890.123456,2.500000,1.000000,-2.000000,0.500000000,DEGRADED,weak_match,"
-        "0,0,0.25,0,0,0,0,0.3333,30,90,0,0,0");
+        "0,0,0.25,0,0,0,0,0.3333,30,90,0,0,0,"
+        "0,0,0,0.5,0,0,0.12500,-0.7500");
     const auto times = lines_of(folder.file("timing.csv"));
     ASSERT_EQ(times.size(), 3u);
     EXPECT_EQ(

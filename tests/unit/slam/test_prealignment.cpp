@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <rtob/slam/prealignment.h>
+#include <Eigen/Geometry>
 
 #include <limits>
 #include <stdexcept>
@@ -213,4 +214,52 @@ TEST(PrealignOptions, RefusesValuesOutOfRange)
 {
     EXPECT_THROW(Prealignment({PrealignSource::Auto, 0, 360}), std::invalid_argument);
     EXPECT_THROW(Prealignment({PrealignSource::Auto, 5, -1}), std::invalid_argument);
+}
+
+TEST(Prealignment, TakesOverOfAVelocityWhatIsBelieved)
+{
+    auto prealignment = driving(PrealignSource::ConstantVelocity);  // heads for y, 2 m/s
+    Eigen::Matrix3d believed = Eigen::Matrix3d::Identity();
+    believed(1, 1) = 0.25;  // of what is new along the map's y
+    const Pose2 stopped = compose(pose_map_last, {0.0, 0.1, 0.02});
+    prealignment.settle(10.2, stopped, true, believed);
+    const Pose2 step = between(stopped, prealignment.predict(10.3));
+    // The vehicle looks along y but for 0.02 rad: 2 m/s of before, a quarter of what was lost.
+    EXPECT_NEAR(0.15, step.x, 0.005);
+    EXPECT_NEAR(0.1, step.y, 0.005);
+    EXPECT_NEAR(0.02, step.yaw, 1e-9);
+}
+
+TEST(Prealignment, ACorrectionIsNoVelocity)
+{
+    auto prealignment = driving(PrealignSource::ConstantVelocity);
+    const Pose2 corrected{1.3, 2.2, pose_map_last.yaw};  // old scans: 0.3 m to the side
+    prealignment.correct(corrected);
+    const Pose2 one_step = compose(corrected, {0.2, 0, 0.02});
+    EXPECT_THAT(prealignment.predict(10.2), IsNearPose(one_step, 1e-9, 1e-9));
+}
+
+TEST(Prealignment, BelievesTheVelocityThatAMatchShowsButAlongABareCorridor)
+{
+    rtob::IcpResult fit;
+    EXPECT_TRUE(rtob::velocity_shown(fit).isIdentity()) << "nothing says otherwise";
+    fit.pairs = 200;
+    const auto shown_along_x = [&](double information_of_a_pair)
+    {
+        fit.information = Eigen::Vector3d(200 * information_of_a_pair, 200, 200).asDiagonal();
+        return rtob::velocity_shown(fit)(0, 0);
+    };
+    EXPECT_GT(shown_along_x(0.1), 0.999) << "a room";
+    EXPECT_GT(shown_along_x(1e-3), 0.99) << "a corridor with doors";
+    EXPECT_NEAR(0.5, shown_along_x(2e-4), 1e-3);
+    EXPECT_LT(shown_along_x(7.5e-5), 0.03) << "the noise of bare walls";
+    const Eigen::Matrix3d shown = rtob::velocity_shown(fit);
+    EXPECT_NEAR(1, shown(1, 1), 1e-12);
+    EXPECT_NEAR(1, shown(2, 2), 1e-12);
+
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+    fit.information.topLeftCorner<2, 2>() =
+        turn * fit.information.topLeftCorner<2, 2>() * turn.transpose();
+    const Eigen::Matrix2d turned = rtob::velocity_shown(fit).topLeftCorner<2, 2>();
+    EXPECT_TRUE(turned.isApprox(turn * shown.topLeftCorner<2, 2>() * turn.transpose(), 1e-6));
 }

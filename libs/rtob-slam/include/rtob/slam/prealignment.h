@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/core/icp.h>
 #include <rtob/core/pose2.h>
 #include <rtob/fusion/motion_state.h>
+#include <Eigen/Core>
 
 #include <array>
 #include <limits>
@@ -52,6 +54,10 @@ struct PrealignOptions
     void validate() const;
 };
 
+/// How much of the velocity that a match shows is to be believed, by direction in map: all of it,
+/// but nothing along a bare corridor, where the pairs say nothing.
+[[nodiscard]] Eigen::Matrix3d velocity_shown(const IcpResult& fit);
+
 /// Predicts the pose of the next scan: pose_map_vehicle_init of eq. 2 and 3.
 class Prealignment
 {
@@ -72,7 +78,14 @@ class Prealignment
 
     /// To be called after each scan with the pose that was settled on.
     /// @param matched the pose was measured: only then does it give a velocity.
-    void settle(double stamp_s, const Pose2& pose_map_vehicle, bool matched);
+    /// @param believed how much of that velocity is new, by direction in map; the rest goes on as
+    /// before.
+    void settle(
+        double stamp_s, const Pose2& pose_map_vehicle, bool matched,
+        const Eigen::Matrix3d& believed = Eigen::Matrix3d::Identity());
+
+    /// The last scan was elsewhere in the map, as old scans told; the velocity goes on.
+    void correct(const Pose2& pose_map_vehicle) { pose_map_last_ = pose_map_vehicle; }
 
     /// Starts from here, at rest.
     void reset(const Pose2& pose_map_vehicle);
@@ -81,11 +94,16 @@ class Prealignment
     [[nodiscard]] const Pose2& last() const { return pose_map_last_; }
 
     [[nodiscard]] bool hasOdometry() const { return odometry_now_.has_value(); }
+    /// Whether predict() goes by odometry.
+    [[nodiscard]] bool goesByOdometry() const;
+
+    /// From the last scan to this one [s], as far as stamps are to be believed.
+    [[nodiscard]] double stepTo(double stamp_s) const;
 
  private:
-    [[nodiscard]] double stepTo(double stamp_s) const;
     void advanceTime(double stamp_s);
     [[nodiscard]] Pose2 carriedOn(double step_s) const;
+    [[nodiscard]] Pose2 blended(const Pose2& measured, const Eigen::Matrix3d& believed) const;
     [[nodiscard]] Pose2 velocityOver(double step_s, const Pose2& pose_map_vehicle) const;
 
     PrealignOptions options_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <rtob/core/icp.h>
 #include <rtob/core/pose2.h>
 #include <rtob/slam/scan_filter.h>
 #include <rtob/slam/tracking.h>
@@ -25,8 +26,13 @@ struct ScanReport
     double stamp_s = 0;      ///< the log's own
     double map_time_s = 0;   ///< MapClock
     Pose2 pose_map_vehicle;  ///< measured, or predicted while not TRACKING
-    /// Of x, y, yaw relative to the local map; m^2, rad^2.
+    /// Of x, y, yaw relative to the local map: what an autopilot wants to know; m^2, rad^2.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    /// The same relative to the beginning of the map, or to the old scans that last held the pose.
+    Eigen::Matrix3d covariance_in_map = Eigen::Matrix3d::Zero();
+    WeakDirection weak;  ///< of the match, in map
+    bool held_by_guess =
+        false;  ///< along that direction: the pairs say too little [Icp.weak_share]
     TrackingState state = TrackingState::Init;
     FitVerdict verdict = FitVerdict::None;
     double mean_squared_error_m2 = 0;

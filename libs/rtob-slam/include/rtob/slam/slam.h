@@ -9,6 +9,7 @@
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
 #include <rtob/slam/motion_sense.h>
+#include <rtob/slam/pose_belief.h>
 #include <rtob/slam/scan_report.h>
 #include <rtob/slam/slam_options.h>
 #include <rtob/slam/travel_log.h>
@@ -55,6 +56,9 @@ class Slam
         Pose2 pose_map_vehicle;
         IcpResult fit;
         FitVerdict verdict = FitVerdict::None;
+        Pose2 pose_map_local;                           ///< before old scans corrected it
+        IcpResult fit_local;                            ///< of that
+        std::optional<Eigen::Matrix3d> covariance_old;  ///< of the match with old scans
         bool is_found = false;  ///< by a search, which the next scan has to confirm
     };
 
@@ -85,6 +89,7 @@ class Slam
     ScanFilter filter_;
     MotionSense motion_;
     Prealignment prealignment_;
+    PoseBelief belief_;
     Icp icp_;
     TrackingStateMachine tracking_;
     InsertionPolicy insertion_;
