@@ -16,6 +16,7 @@ import experiment_envelope
 import experiment_gyro
 import experiment_hour
 import experiment_loops
+import experiment_sigma
 from experiment_runs import OUT, WORLDS, call, figures, run, simulate, spread_table
 
 PAPER = ["cylinders", "room", "garage"]
@@ -60,6 +61,7 @@ EXPERIMENTS = {
     "cupboard": lambda _, options: experiment_changes.experiment(options),
     "envelope": lambda _, options: experiment_envelope.experiment(options),
     "gyro": lambda _, options: experiment_gyro.experiment(options),
+    "sigma": lambda _, options: experiment_sigma.experiment(options),
     "hour": lambda _, options: experiment_hour.experiment(options),
 }
 

@@ -2,13 +2,13 @@
 import math
 
 
-class Position:
-    """A position in the plane as a complex number, m."""
+class Pose:
+    """A place in the plane as a complex number, m, and a heading, rad."""
 
-    __slots__ = ("time_s", "at")
+    __slots__ = ("time_s", "at", "yaw_rad")
 
-    def __init__(self, time_s, at):
-        self.time_s, self.at = time_s, at
+    def __init__(self, time_s, at, yaw_rad):
+        self.time_s, self.at, self.yaw_rad = time_s, at, yaw_rad
 
 
 def read_tum(file):
@@ -17,8 +17,8 @@ def read_tum(file):
         for line in lines:
             if line.startswith("#") or not line.strip():
                 continue
-            time_s, x, y = map(float, line.split()[:3])
-            poses.append(Position(time_s, complex(x, y)))
+            time_s, x, y, _, _, _, qz, qw = map(float, line.split()[:8])
+            poses.append(Pose(time_s, complex(x, y), 2 * math.atan2(qz, qw)))
     return poses
 
 
