@@ -71,7 +71,7 @@ TEST_F(CheckedObject, EveryBitThatIsWrongIsSeen)
     const std::string whole = file_content(write());
     const std::size_t begin_of_comment = 10;
     const std::size_t trailer = 8;  // of gzip: says again what the comment says
-    const std::size_t padded = 1;  // the last packed byte may end in bits that mean nothing
+    const std::size_t padded = 1;   // the last packed byte may end in bits that mean nothing
     for (std::size_t k = begin_of_comment; k < whole.size() - trailer - padded; ++k)
     {
         std::string damaged = whole;
