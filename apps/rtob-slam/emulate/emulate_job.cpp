@@ -103,11 +103,11 @@ int tcp_port(const std::string& text)
     throw std::runtime_error("--port " + text + ": must be a TCP port, 1 to 65535.");
 }
 
-template <class Device>
-Line on_tcp(const std::string& keys, const EmulateJob& job)
+template <class Device, class... Model>
+Line on_tcp(const std::string& keys, const EmulateJob& job, const Model&... model)
 {
     const auto line = std::make_shared<devices::DeviceOnTcp>(
-        std::make_unique<Device>(played(job.log)), tcp_port(job.port));
+        std::make_unique<Device>(played(job.log), model...), tcp_port(job.port));
     return {keys + std::to_string(line->port()), [line](auto fault, double duration_s) {
                 line->inject(fault, duration_s);
             }};
@@ -122,6 +122,10 @@ Line line_of(const EmulateJob& job)
     if (job.device == "hokuyo")
         return on_tcp<devices::HokuyoEmulator>(
             "driver = CHokuyoURG, IP_DIR = 127.0.0.1, PORT_DIR = ", job);
+    if (job.device == "sick-lms111")
+        return on_tcp<devices::SickEmulator>(
+            "driver = CLMS100Eth, pose_roll = 180, ip_address = 127.0.0.1, TCP_port = ", job,
+            devices::model_lms111());
     return on_tcp<devices::SickEmulator>(
         "driver = CSICKTim561Eth, pose_roll = 180, ip_address = 127.0.0.1, TCP_port = ", job);
 }
@@ -129,7 +133,8 @@ Line line_of(const EmulateJob& job)
 
 std::vector<std::string> emulated_devices()
 {
-    return {"rplidar-a1", "rplidar-a2", "rplidar-a3", "rplidar-s2", "hokuyo", "sick-tim561"};
+    return {"rplidar-a1", "rplidar-a2",  "rplidar-a3", "rplidar-s2",
+            "hokuyo",     "sick-tim561", "sick-lms111"};
 }
 
 void emulate(const EmulateJob& job, std::ostream& out, const std::function<bool()>& stop)

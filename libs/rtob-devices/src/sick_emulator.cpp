@@ -10,9 +10,7 @@ namespace rtob::devices
 namespace
 {
 constexpr char kBegin = 0x02, kEnd = 0x03;
-constexpr int kBeams = 811;
-constexpr double kFirst_deg = -135, kStep_deg = 1.0 / 3;  // seen from its front
-constexpr double kTurn_s = 1.0 / 15, kMaxRange_m = 10;
+constexpr double kFirst_deg = -135;  // seen from its front
 constexpr double kPi = 3.14159265358979323846;
 
 std::string hex(unsigned value)
@@ -22,13 +20,31 @@ std::string hex(unsigned value)
     return text;
 }
 
+std::string hex_of(double value)
+{
+    return hex(static_cast<unsigned>(std::lround(value)));
+}
+
 bool begins_with(const std::string& text, const char* start)
 {
     return text.rfind(start, 0) == 0;
 }
 }  // namespace
 
-SickEmulator::SickEmulator(RangeSource ranges) : ranges_(std::move(ranges)) {}
+SickModel model_tim561()
+{
+    return {"TiM561-2050101", 811, 1.0 / 3, 1.0 / 15, 10};
+}
+
+SickModel model_lms111()
+{
+    return {"LMS111-10100", 1081, 0.25, 1.0 / 25, 20};
+}
+
+SickEmulator::SickEmulator(RangeSource ranges, SickModel model)
+    : ranges_(std::move(ranges)), model_(std::move(model))
+{
+}
 
 void SickEmulator::restart()
 {
@@ -71,46 +87,54 @@ void SickEmulator::answer(const std::string& command, double now_s)
         reply("sRA " + scanData());
     else if (command == "sRN SCdevicestate")
         reply("sRA SCdevicestate " + std::string(has_error_ ? "2" : "1"));
+    else if (command == "sRN STlms")
+        reply(has_error_ ? "sRA STlms 2" : "sRA STlms 7");  // 7: it measures
     else if (command == "sRIO")
-        reply("sRA 0 TiM561-2050101 V1.0 emulated");
+        reply("sRA 0 " + model_.name + " V1.0 emulated");
     else if (begins_with(command, "sRN "))
         reply("sRA " + command.substr(4) + " 8 emulated");
+    else if (begins_with(command, "sWN "))
+        reply("sWA " + command.substr(4, command.find(' ', 4) - 4));
     else if (begins_with(command, "sMN "))
+    {
+        has_error_ &= command != "sMN LMCstartmeas";
         reply("sAN " + command.substr(4, command.find(' ', 4) - 4) + " 1");
+    }
     else
         reply("sFA 1");
 }
 
 void SickEmulator::measure(double now_s)
 {
-    if (next_scan_s_ == 0) next_scan_s_ = now_s - kTurn_s;
+    if (next_scan_s_ == 0) next_scan_s_ = now_s - model_.turn_s;
     // What a late caller missed is measured no more.
-    next_scan_s_ = std::max(next_scan_s_, now_s - 4 * kTurn_s);
-    while (now_s >= next_scan_s_ + kTurn_s)
+    next_scan_s_ = std::max(next_scan_s_, now_s - 4 * model_.turn_s);
+    while (now_s >= next_scan_s_ + model_.turn_s)
     {
         ranges_text_.clear();
-        for (int beam = 0; beam < kBeams; ++beam)
+        for (int beam = 0; beam < model_.beams; ++beam)
         {
-            const double bearing_deg = kFirst_deg + kStep_deg * beam;
-            const double time_s = next_scan_s_ + kTurn_s * kStep_deg * beam / 360;
+            const double bearing_deg = kFirst_deg + model_.step_deg * beam;
+            const double time_s = next_scan_s_ + model_.turn_s * model_.step_deg * beam / 360;
             const double range_m = ranges_(bearing_deg * kPi / 180, time_s);
-            const bool is_seen = range_m > 0 && range_m < kMaxRange_m;
+            const bool is_seen = range_m > 0 && range_m < model_.max_range_m;
             ranges_text_ +=
                 " " + hex(is_seen ? static_cast<unsigned>(std::lround(1000 * range_m)) : 0U);
         }
         ++scans_;
         if (sends_each_scan_) reply("sSN " + scanData());
-        next_scan_s_ += kTurn_s;
+        next_scan_s_ += model_.turn_s;
     }
 }
 
 /// Version, device, serial number, status, counters, two times, inputs, outputs, rates, no encoder,
-/// one channel: distances in mm, from -45 degrees on (the right is 0 there) in steps of 1/3.
+/// one channel: distances in mm, from -45 degrees on (the right is 0 there), step and number.
 std::string SickEmulator::scanData() const
 {
-    return "LMDscandata 1 1 A89A7F 0 0 " + hex(scans_) + " " + hex(scans_) +
-           " 0 0 0 0 0 0 0 5DC A2 0 1 DIST1 3F800000 00000000 FFF92230 D05 " + hex(kBeams) +
-           ranges_text_ + " 0 0 0 0 0 0";
+    return "LMDscandata 1 1 A89A7F 0 0 " + hex(scans_) + " " + hex(scans_) + " 0 0 0 0 0 0 0 " +
+           hex_of(100 / model_.turn_s) + " A2 0 1 DIST1 3F800000 00000000 FFF92230 " +
+           hex_of(10000 * model_.step_deg) + " " + hex_of(model_.beams) + ranges_text_ +
+           " 0 0 0 0 0 0";
 }
 
 std::vector<Packet> SickEmulator::send(double now_s)

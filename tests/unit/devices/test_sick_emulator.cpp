@@ -63,6 +63,26 @@ TEST(SickEmulator, SendsEachScanWhereThatWasAskedFor)
     EXPECT_NEAR(15, static_cast<double>(scans), 1);
 }
 
+TEST(SickEmulator, AnLmsTellsThatItMeasuresAndSeesFinerAndFarther)
+{
+    SickEmulator device(room, model_lms111());
+    device.breakDown();
+    for (const char* command :
+         {"sMN LMCstartmeas", "sRN STlms", "sWN LMDscandatacfg 01 00 0 1 0", "sRN LMDscandata"})
+        device.receive(telegram(command), 100);
+    const auto packets = device.send(100);
+    ASSERT_EQ(4u, packets.size());
+    EXPECT_EQ("7", words_of(packets[1])[2]);
+    EXPECT_EQ("sWA", words_of(packets[2])[0]);
+    const auto words = words_of(packets[3]);
+    ASSERT_GT(words.size(), 26u + 1081u);
+    EXPECT_EQ("9C4", words[24]);                    // 0.25 degrees in 1/10000
+    EXPECT_EQ("439", words[25]);                    // 1081
+    EXPECT_EQ("BB8", words[26 + 4 * 135]);          // 3 m ahead
+    EXPECT_EQ("1388", words[26 + 4 * (135 + 90)]);  // 5 m to the left
+    EXPECT_EQ("9C4", words[16]);                    // 25 turns a second, in 1/100
+}
+
 TEST(SickEmulator, ABrokenOneRefusesUntilItIsSetUpAnew)
 {
     SickEmulator device(room);

@@ -7,12 +7,24 @@
 
 namespace rtob::devices
 {
-/// A SICK TiM561 that speaks CoLa A: 811 beams over 270 degrees, counter-clockwise, 15 times a
-/// second. MRPT's CSICKTim561Eth drives it over TCP.
+/// What differs between SICK's lasers of one protocol. All see 270 degrees, counter-clockwise.
+struct SickModel
+{
+    std::string name;
+    int beams = 811;
+    double step_deg = 1.0 / 3, turn_s = 1.0 / 15, max_range_m = 10;
+};
+
+/// MRPT's CSICKTim561Eth drives it over TCP.
+[[nodiscard]] SickModel model_tim561();
+/// 1081 beams, 25 times a second. MRPT's CLMS100Eth drives it over TCP.
+[[nodiscard]] SickModel model_lms111();
+
+/// A SICK laser that speaks CoLa A.
 class SickEmulator : public EmulatedDevice
 {
  public:
-    explicit SickEmulator(RangeSource ranges);
+    explicit SickEmulator(RangeSource ranges, SickModel model = model_tim561());
 
     void receive(const Packet& bytes, double now_s) override;
     [[nodiscard]] std::vector<Packet> send(double now_s) override;
@@ -27,6 +39,7 @@ class SickEmulator : public EmulatedDevice
     void reply(const std::string& telegram);
 
     RangeSource ranges_;
+    SickModel model_;
     std::string received_;
     std::vector<Packet> replies_;
     std::string ranges_text_;  ///< of the last whole scan; empty: none yet
