@@ -59,14 +59,42 @@ inline void wait_s(double seconds)
     return scan;
 }
 
-/// What the laser sees at any moment; it sits in the vehicle's middle.
-[[nodiscard]] inline devices::RangeSource house_from(double takeoff_s)
+/// A flight that begins when it is told to: until then the vehicle stands, as it should for the
+/// first scans. It reaches its speed within two seconds. Copies are of the same flight.
+class Takeoff
 {
-    return [world = house(), takeoff_s](double bearing_rad, double time_s)
+ public:
+    void go() const { *takeoff_s_ = unix_time_s() + 0.2; }  // no beam was taken then
+    [[nodiscard]] Pose2 pose(double time_s) const
     {
-        const Pose2 pose = flight_pose(time_s - takeoff_s);
+        constexpr double ramp_s = 2;
+        const double flown_s = std::max(0.0, time_s - *takeoff_s_);
+        return flight_pose(
+            flown_s < ramp_s ? flown_s * flown_s / (2 * ramp_s) : flown_s - ramp_s / 2);
+    }
+
+ private:
+    std::shared_ptr<std::atomic<double>> takeoff_s_ = std::make_shared<std::atomic<double>>(1e18);
+};
+
+/// What the laser sees at any moment; it sits in the vehicle's middle.
+template <class PoseAt>
+[[nodiscard]] devices::RangeSource house_seen_from(PoseAt pose_at)
+{
+    return [world = house(), pose_at](double bearing_rad, double time_s)
+    {
+        const Pose2 pose = pose_at(time_s);
         return world.range(pose.x, pose.y, pose.yaw + bearing_rad);
     };
+}
+[[nodiscard]] inline devices::RangeSource house_from(const Takeoff& takeoff)
+{
+    return house_seen_from([takeoff](double time_s) { return takeoff.pose(time_s); });
+}
+/// In flight already.
+[[nodiscard]] inline devices::RangeSource house_from(double begin_s)
+{
+    return house_seen_from([begin_s](double time_s) { return flight_pose(time_s - begin_s); });
 }
 
 /// A UDP port of this computer that nobody has.
