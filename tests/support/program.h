@@ -32,6 +32,7 @@ class RunningProgram
         const std::string out = folder_.file("out"), err = folder_.file("err");
         pid_ = fork();
         if (pid_ != 0) return;
+        signal(SIGINT, SIG_DFL);  // a shell's background job ignores it, and so would its children
         open_as(STDIN_FILENO, "/dev/null", O_RDONLY);
         open_as(STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
         open_as(STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
