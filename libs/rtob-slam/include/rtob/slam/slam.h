@@ -56,9 +56,9 @@ class Slam
         Pose2 pose_map_vehicle;
         IcpResult fit;
         FitVerdict verdict = FitVerdict::None;
-        Pose2 pose_map_local;                           ///< before old scans corrected it
-        IcpResult fit_local;                            ///< of that
-        std::optional<Eigen::Matrix3d> covariance_old;  ///< of the match with old scans
+        Pose2 pose_map_local{};                           ///< before old scans corrected it
+        IcpResult fit_local{};                            ///< of that
+        std::optional<Eigen::Matrix3d> covariance_old{};  ///< of the match with old scans
         bool is_found = false;  ///< by a search, which the next scan has to confirm
     };
 
