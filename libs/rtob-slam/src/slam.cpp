@@ -19,6 +19,13 @@ bool is_too_small(const Points& points_vehicle, const FitGateOptions& gate)
     return points_vehicle.size() < static_cast<std::size_t>(gate.min_pairs);
 }
 
+SlamOptions validated(const SlamOptions& options)
+{
+    options.validate();
+    return options;
+}
+}  // namespace
+
 RtobMapOptions map_options(const SlamOptions& options)
 {
     RtobMapOptions map;
@@ -27,13 +34,6 @@ RtobMapOptions map_options(const SlamOptions& options)
     map.seed = options.seed;
     return map;
 }
-
-SlamOptions validated(const SlamOptions& options)
-{
-    options.validate();
-    return options;
-}
-}  // namespace
 
 Slam::Slam(const SlamOptions& options)
     : options_(validated(options)),
@@ -52,6 +52,9 @@ Slam::Slam(const SlamOptions& options)
           options.seed),
       loop_search_(options.loop_search, options.icp, options.seed),
       search_(options.search),
+      continuity_(options.icp),
+      relocaliser_(options.relocalise, options.icp),
+      thinner_(options.map.max_points),
       local_(options.reference)
 {
 }
@@ -80,17 +83,22 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     if (is_too_small(points_vehicle_, options_.fit_gate))
         return settle({pose_map_init, {}, FitVerdict::None});
     if (map_.scans().empty()) return startMap(pose_map_init, scan.sensorLabel);
+    if (tracking_.isLost() && relocaliser_.enabled())
+        return recover(pose_map_init, scan.sensorLabel);
 
     Match match = matchGuess(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
     if (isDoubtful(match)) searchAround(pose_map_init, match);
     if (isFalseStart(match)) return startMap(pose_map_init, scan.sensorLabel);
-    if (match.verdict == FitVerdict::Good && options_.remembers() &&
+    match.is_torn = isTorn(match, scan.sensorLabel);
+    if (match.verdict == FitVerdict::Good && !match.is_torn && options_.remembers() &&
         wantsToWrite(match, scan.sensorLabel))
     {
         anchor(match);
         closeLoop(match);
     }
     settle(match);
+    if (report_.state == TrackingState::Tracking)
+        continuity_.tracked(scan.sensorLabel, report_.pose_map_vehicle, points_vehicle_);
     insert(match, scan.sensorLabel);  // 7.
     return report_;                   // 8.
 }
@@ -135,13 +143,14 @@ Pose2 Slam::predicted() const
 /// Whether the scan is to join the map, if nothing speaks against it.
 bool Slam::wantsToWrite(const Match& match, const std::string& laser) const
 {
-    return insertion_.wants(laser, report_.map_time_s, match.pose_map_vehicle);
+    return !options_.map.localize &&
+           insertion_.wants(laser, report_.map_time_s, match.pose_map_vehicle);
 }
 
 /// Whether the map began with a poor scan, as lasers give while they spin up.
 bool Slam::isFalseStart(const Match& match) const
 {
-    return !is_match(match.verdict) && scans_of_map_ < kYoungMap_scans &&
+    return !is_match(match.verdict) && scans_of_map_ < kYoungMap_scans && !options_.map.localize &&
            points_vehicle_.size() > map_.size();
 }
 
@@ -152,6 +161,7 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
     scans_of_map_ = 1;
     insertion_.clear();
     travel_ = TravelLog();
+    thinner_.makeRoom(map_, travel_);
     drift_ = Drift(options_.drift);
     report_.searched = false;  // nothing of what was found is used
     report_.map_time_s = map_.tick(report_.stamp_s);
@@ -159,6 +169,7 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
     report({pose_map_init, {}, FitVerdict::Good, pose_map_init}, tracking_.state());
     belief_.begin();  // the map's frame is the first pose, by definition
     report_.covariance = report_.covariance_in_map = belief_.inMap();
+    continuity_.tracked(laser, report_.pose_map_vehicle, points_vehicle_);
     insert(Match{pose_map_init, {}, FitVerdict::Good}, laser);
     return report_;
 }
@@ -168,13 +179,16 @@ const ScanReport& Slam::settle(const Match& match)
     if (tracking_.state() == TrackingState::Init)
         report(match, TrackingState::Init);
     else
-        report(match, tracking_.next(match.verdict));
+        report(match, tracking_.next(match.is_torn ? FitVerdict::Weak : match.verdict));
+    if (tracking_.isLost()) relocaliser_.restart();
     return report_;
 }
 
 void Slam::report(const Match& match, TrackingState state)
 {
-    const bool matched = state == TrackingState::Tracking || state == TrackingState::Relocalising;
+    const bool matched =
+        is_match(match.verdict) &&
+        (match.is_torn || state == TrackingState::Tracking || state == TrackingState::Relocalising);
     report_.state = state;
     report_.verdict = match.verdict;
     report_.pose_map_vehicle = matched ? match.pose_map_vehicle : predicted();
@@ -209,37 +223,12 @@ void Slam::insert(const Match& match, const std::string& laser)
     const bool may_write =
         report_.state == TrackingState::Tracking && is_match(match.verdict) && !match.is_found;
     if (!may_write || !wantsToWrite(match, laser)) return;
+    if (thinner_.isDue(map_, points_vehicle_.size())) thinMap();
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(laser, report_.map_time_s, report_.pose_map_vehicle);
     travel_.inserted(report_.pose_map_vehicle);
     belief_.inserted();
+    relocaliser_.forgetMap();
     report_.inserted = true;
-}
-
-void Slam::continueIn(const RtobMap& map, const Pose2& pose_map_vehicle)
-{
-    map_ = map;
-    map_.setOptions(map_options(options_));
-    insertion_.clear();
-    travel_ = TravelLog();
-    for (std::size_t scan = 0; scan < map_.scans().size(); ++scan)
-        travel_.inserted(map_.scans().pose(scan));
-    drift_ = Drift(options_.drift);
-    drift_.heldNow(travel_);  // the pose is given in this map
-    tracking_ = TrackingStateMachine(options_.tracking);
-    if (!map_.scans().empty()) tracking_.start();
-    report_ = ScanReport();
-    report_.state = tracking_.state();
-    reset(pose_map_vehicle);
-}
-
-void Slam::reset(const Pose2& pose_map_vehicle)
-{
-    prealignment_.reset(pose_map_vehicle);
-    motion_.reset(pose_map_vehicle);
-    belief_.begin();
-    matched_at_ = pose_map_vehicle;
-    local_.drop();
-    report_.pose_map_vehicle = pose_map_vehicle;
 }
 }  // namespace rtob

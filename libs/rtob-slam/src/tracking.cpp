@@ -8,6 +8,7 @@ void TrackingOptions::validate() const
 {
     require(lost_after >= 1, "lost_after", lost_after, ">= 1");
     require(confirm_after >= 1, "confirm_after", confirm_after, ">= 1");
+    require(min_agreement >= 0 && min_agreement < 1, "min_agreement", min_agreement, "in [0, 1)");
 }
 
 TrackingStateMachine::TrackingStateMachine(const TrackingOptions& options) : options_(options)
@@ -18,6 +19,12 @@ TrackingStateMachine::TrackingStateMachine(const TrackingOptions& options) : opt
 void TrackingStateMachine::start()
 {
     state_ = TrackingState::Tracking;
+    weak_in_a_row_ = good_in_a_row_ = 0;
+}
+
+void TrackingStateMachine::lose(bool has_candidates)
+{
+    state_ = has_candidates ? TrackingState::Relocalising : TrackingState::Lost;
     weak_in_a_row_ = good_in_a_row_ = 0;
 }
 

@@ -52,7 +52,7 @@ TEST(SlamContinue, TheNewRunsOptionsHoldInTheMap)
 TEST(SlamContinue, AnEmptyMapBeginsAnew)
 {
     Slam slam = after_scans(3);
-    slam.continueIn(RtobMap(), {1, 2, 0});
+    slam.continueIn(RtobMap(), Pose2{1, 2, 0});
     EXPECT_EQ(slam.state(), TrackingState::Init);
     slam.process(test::scan_in_house(0));
     EXPECT_EQ(slam.map().scans().size(), 1U);

@@ -130,19 +130,32 @@ TEST(SlamStates, BackInTheMapItIsFoundAndConfirmedBeforeItWrites)
 {
     SlamOptions options;
     options.tracking.lost_after = 5;
-    options.tracking.confirm_after = 3;
+    options.relocalise.confirm_scans = 3;
     Slam slam = driven(60, options);  // once around
     const auto before = fingerprint(slam);
     for (int k = 60; k < 70; ++k) slam.process(scan_elsewhere(k));
     ASSERT_EQ(slam.state(), TrackingState::Lost);
     // It is put down on the far side of the circle, 1 m away and turned.
     EXPECT_EQ(slam.process(*scan_on_circle(90)).state, TrackingState::Relocalising);
-    EXPECT_THAT(slam.pose(), IsNearPose(pose_on_circle_map(90), 0.01, 0.01));
     EXPECT_EQ(slam.process(*scan_on_circle(91)).state, TrackingState::Relocalising);
     EXPECT_EQ(fingerprint(slam), before);
     EXPECT_EQ(slam.process(*scan_on_circle(92)).state, TrackingState::Tracking);
+    EXPECT_THAT(slam.pose(), IsNearPose(pose_on_circle_map(92), 0.05, 0.02));  // to a raster cell
     EXPECT_TRUE(slam.process(*scan_on_circle(93)).inserted);
     EXPECT_THAT(slam.pose(), IsNearPose(pose_on_circle_map(93), 0.01, 0.01));
+}
+
+TEST(SlamStates, WithoutRelocalisationAWindowIsSearched)
+{
+    SlamOptions options;
+    options.relocalise.enabled = false;
+    options.tracking.confirm_after = 2;
+    Slam slam = driven(60, options);
+    for (int k = 60; k < 70; ++k) slam.process(scan_elsewhere(k));
+    ASSERT_EQ(slam.state(), TrackingState::Lost);
+    EXPECT_EQ(slam.process(*scan_on_circle(90)).state, TrackingState::Relocalising);
+    EXPECT_THAT(slam.pose(), IsNearPose(pose_on_circle_map(90), 0.01, 0.01));
+    EXPECT_EQ(slam.process(*scan_on_circle(91)).state, TrackingState::Tracking);
 }
 
 TEST(SlamStates, NothingIsWrittenWhileNotTracking)

@@ -35,3 +35,35 @@ TEST(TravelLog, TheFirstPoseIsNoTravel)
     travel.inserted({100, 100, 0});
     EXPECT_EQ(travel.path(), 0);
 }
+
+TEST(TravelLog, TravelCountsThoughItsScansAreForgotten)
+{
+    TravelLog travel;
+    std::vector<char> keep;
+    for (int i = 0; i <= 10; ++i)
+    {
+        travel.inserted({2.0 * i, 0, 0});
+        keep.push_back(i % 2 == 0);
+    }
+    travel.keepOnly(keep);  // those at 0, 4 ... 20 m
+    EXPECT_NEAR(travel.path(), 20, 1e-5);
+    EXPECT_EQ(travel.scansBefore(5), 4u);
+    travel.inserted({22, 0, 0});
+    EXPECT_NEAR(travel.path(), 22, 1e-5);
+}
+
+/// A float would tell no centimetres any more.
+TEST(TravelLog, SmallStepsCountAfterAThousandKilometres)
+{
+    TravelLog travel;
+    double x = 0;
+    travel.inserted({x, 0, 0});
+    for (int i = 0; i < 40; ++i)
+    {
+        travel.inserted({x += 30'000, 0, 0});
+        travel.keepOnly({0, 1});
+    }
+    const double before_m = travel.path();
+    for (int i = 0; i < 100; ++i) travel.inserted({x += 0.02, 0, 0});
+    EXPECT_NEAR(travel.path() - before_m, 2.0, 0.2);
+}

@@ -4,15 +4,21 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <rtob/map/rtob_map.h>
 #include <rtob/slam/anchor.h>
+#include <rtob/slam/continuity.h>
 #include <rtob/slam/drift.h>
 #include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
+#include <rtob/slam/map_thinner.h>
 #include <rtob/slam/motion_sense.h>
 #include <rtob/slam/pose_belief.h>
+#include <rtob/slam/relocaliser.h>
 #include <rtob/slam/scan_report.h>
 #include <rtob/slam/slam_options.h>
 #include <rtob/slam/travel_log.h>
+
+#include <optional>
+#include <string>
 
 namespace rtob
 {
@@ -35,9 +41,10 @@ class Slam
     /// One scan, in the steps of the paper's fig. 1.
     const ScanReport& process(const mrpt::obs::CObservation2DRangeScan& scan);
 
-    /// Goes on in a map that was made before, the vehicle at rest at this pose of it.
+    /// Goes on in a map that was made before (load_map()), the vehicle at rest at this pose of it;
+    /// without a pose, LOST until it is found. With options().map.localize nothing is written.
     /// @param map taken over with its points, scans and clock; its options give way to these.
-    void continueIn(const RtobMap& map, const Pose2& pose_map_vehicle);
+    void continueIn(const RtobMap& map, const std::optional<Pose2>& pose_map_vehicle);
 
     /// Puts the vehicle elsewhere in the map, at rest.
     void reset(const Pose2& pose_map_vehicle);
@@ -60,6 +67,7 @@ class Slam
         IcpResult fit_local{};                            ///< of that
         std::optional<Eigen::Matrix3d> covariance_old{};  ///< of the match with old scans
         bool is_found = false;  ///< by a search, which the next scan has to confirm
+        bool is_torn = false;   ///< it fits the map, yet it does not follow the last scan
     };
 
     void begin(const mrpt::obs::CObservation2DRangeScan& scan);
@@ -73,6 +81,7 @@ class Slam
     [[nodiscard]] std::size_t trustedBegin() const;
     [[nodiscard]] bool isDoubtful(const Match& match) const;
     [[nodiscard]] double mostMisled_m(const Pose2& pose_map_init) const;
+    [[nodiscard]] bool isTorn(const Match& match, const std::string& laser);
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
     void anchor(Match& match);
@@ -80,8 +89,10 @@ class Slam
     [[nodiscard]] bool wantsToWrite(const Match& match, const std::string& laser) const;
     const ScanReport& startMap(const Pose2& pose_map_init, const std::string& laser);
     const ScanReport& settle(const Match& match);
+    const ScanReport& recover(const Pose2& pose_map_init, const std::string& laser);
     void report(const Match& match, TrackingState state);
     void insert(const Match& match, const std::string& laser);
+    void thinMap();
 
     SlamOptions options_;
     RtobMap map_;
@@ -98,6 +109,9 @@ class Slam
     Anchor anchor_;
     LoopSearch loop_search_;
     LocalSearch search_;
+    Continuity continuity_;
+    Relocaliser relocaliser_;
+    MapThinner thinner_;
 
     Pose2 matched_at_;              ///< in map; where a scan last fitted
     std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not

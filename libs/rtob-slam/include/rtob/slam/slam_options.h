@@ -4,13 +4,16 @@
 #include <rtob/core/reference_draw.h>
 #include <rtob/core/time_density.h>
 #include <rtob/fusion/fusion_options.h>
+#include <rtob/map/rtob_map_options.h>
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/fit_gate.h>
 #include <rtob/slam/insertion_policy.h>
 #include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
+#include <rtob/slam/map_options.h>
 #include <rtob/slam/prealignment.h>
+#include <rtob/slam/relocaliser.h>
 #include <rtob/slam/scan_filter.h>
 #include <rtob/slam/scan_geometry.h>
 #include <rtob/slam/sensor_choice.h>
@@ -38,6 +41,8 @@ struct SlamOptions
     DriftOptions drift;
     AnchorOptions anchor;
     LoopSearchOptions loop_search;
+    RelocaliseOptions relocalise;
+    MapOptions map;
     std::uint64_t seed = 1;
 
     /// Calls visit(section, options) for each group, in the order of the pipeline: the only list of
@@ -61,6 +66,8 @@ struct SlamOptions
         visit("Drift", s.drift);
         visit("Anchor", s.anchor);
         visit("LoopSearch", s.loop_search);
+        visit("Relocalise", s.relocalise);
+        visit("Map", s.map);
     }
     /// Whether old scans may decide: not where the user asked to forget.
     [[nodiscard]] bool remembers() const
@@ -72,4 +79,7 @@ struct SlamOptions
         sections(*this, [](const char*, const auto& options) { options.validate(); });
     }
 };
+
+/// What of these the map needs.
+[[nodiscard]] RtobMapOptions map_options(const SlamOptions& options);
 }  // namespace rtob

@@ -30,14 +30,21 @@ constexpr auto enum_names(TrackingState)
 
 struct TrackingOptions
 {
-    int lost_after = 10;
+    int lost_after = 4;
     int confirm_after = 3;
+    double min_agreement = 0.8;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
     {
         visit("lost_after", s.lost_after, "weak scans in a row until LOST; >= 1");
-        visit("confirm_after", s.confirm_after, "good scans in a row until found again; >= 1");
+        visit(
+            "confirm_after", s.confirm_after,
+            "good scans in a row until found again, where [Relocalise] is not enabled; >= 1");
+        visit(
+            "min_agreement", s.min_agreement,
+            "share of a scan that must agree with the last one tracked, as far as they see the "
+            "same; else the vehicle may have been carried away; 0: not looked at; [0, 1)");
     }
     void validate() const;
 };
@@ -50,8 +57,10 @@ class TrackingStateMachine
 
     /// The state after a scan with this verdict.
     TrackingState next(FitVerdict verdict);
-    /// The first usable scan has started the map.
+    /// The first usable scan has started the map, or the place was found.
     void start();
+    /// The place is not known, or there are places that wait to be confirmed.
+    void lose(bool has_candidates = false);
 
     [[nodiscard]] TrackingState state() const { return state_; }
     [[nodiscard]] bool isLost() const

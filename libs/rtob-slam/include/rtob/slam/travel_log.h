@@ -15,13 +15,21 @@ class TravelLog
     /// To be called for each scan of the map, with its pose.
     void inserted(const Pose2& pose_map_vehicle);
 
-    [[nodiscard]] double path() const { return path_m_.empty() ? 0.0 : path_m_.back(); }
+    /// The map forgets scans, never its newest. @param keep one entry a scan: 0 to forget it.
+    void keepOnly(const std::vector<char>& keep);
+    void reserve(std::size_t scans) { path_m_.reserve(scans); }
+
+    [[nodiscard]] double path() const
+    {
+        return path_m_.empty() ? before_m_ : before_m_ + path_m_.back();
+    }
 
     /// How many scans of the map were taken before the last `travel_m` of travel.
     [[nodiscard]] std::size_t scansBefore(double travel_m) const;
 
  private:
-    std::vector<float> path_m_;
+    std::vector<float> path_m_;  ///< without what is in before_m_
+    double before_m_ = 0;        ///< keeps the others small, so that a float holds them
     Pose2 last_pose_;
 };
 }  // namespace rtob

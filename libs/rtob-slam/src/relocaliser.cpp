@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/core/option_checks.h>
+#include <rtob/slam/relocaliser.h>
+#include <rtob/slam/turned_points.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtob
+{
+namespace
+{
+// A rival is given up where it explains this much less than must be explained, or crosses this much
+// more than may be crossed.
+constexpr double kRivalSlack = 0.2;
+// How far a vehicle gets from scan to scan, without odometry.
+constexpr double kMostStep_m = 0.8, kMostTurn_rad = 0.6;
+constexpr std::size_t kScanSearchPoints = 100;
+// A scan that reaches less far, as of a covered laser, tells no place from another.
+constexpr float kLeastReach_m = 1.0F;
+// Refined places that are nearer have become one.
+constexpr double kSame_m = 0.3, kSame_rad = 0.1;
+
+bool reaches_far(const Points& points_vehicle)
+{
+    for (std::size_t i = 0; i < points_vehicle.size(); ++i)
+        if (std::hypot(points_vehicle.x[i], points_vehicle.y[i]) >= kLeastReach_m) return true;
+    return false;
+}
+
+bool is_same_place(const Pose2& a, const Pose2& b)
+{
+    return std::hypot(a.x - b.x, a.y - b.y) < kSame_m &&
+           std::abs(wrap_angle(a.yaw - b.yaw)) < kSame_rad;
+}
+}  // namespace
+
+void RelocaliseOptions::validate() const
+{
+    require(min_score > 0 && min_score <= 1, "min_score", min_score, "in (0, 1]");
+    require(
+        min_explained_share > 0 && min_explained_share <= 1, "min_explained_share",
+        min_explained_share, "in (0, 1]");
+    require(
+        max_through_share >= 0 && max_through_share <= 1, "max_through_share", max_through_share,
+        "in [0, 1]");
+    require(min_lead > 0, "min_lead", min_lead, "> 0");
+    require(confirm_scans >= 1, "confirm_scans", confirm_scans, ">= 1");
+    require(max_scans >= confirm_scans, "max_scans", max_scans, ">= confirm_scans");
+    require(looks_per_scan >= 100'000, "looks_per_scan", looks_per_scan, ">= 100000");
+}
+
+Relocaliser::Relocaliser(const RelocaliseOptions& options, const IcpOptions& icp)
+    : options_(options), check_(icp), icp_(icp)
+{
+    options_.validate();
+    places_.reserve(GlobalSearch::kMostCandidates);
+}
+
+void Relocaliser::restart()
+{
+    places_.clear();
+    searching_ = false;
+    scans_followed_ = 0;
+}
+
+void Relocaliser::learn(const MapView& map)
+{
+    restart();
+    raster_.draw(map.points_map, map.scans);
+    raster_ready_ = true;
+}
+
+std::optional<PlaceEvidence> Relocaliser::take(
+    const MapView& map, const Points& points_vehicle, const std::optional<Pose2>& pose_prev_now)
+{
+    if (!raster_ready_) learn(map);
+    if (!reaches_far(points_vehicle))
+    {
+        restart();
+        return std::nullopt;
+    }
+    const bool is_under_way = searching_ || !places_.empty();
+    const Pose2 motion = !is_under_way   ? Pose2{}
+                         : pose_prev_now ? *pose_prev_now
+                                         : motionTo(points_vehicle);
+    points_prev_.x.assign(points_vehicle.x.begin(), points_vehicle.x.end());
+    points_prev_.y.assign(points_vehicle.y.begin(), points_vehicle.y.end());
+    if (!places_.empty())
+        follow(points_vehicle, motion);
+    else if (search(points_vehicle, motion))
+        follow(points_vehicle, Pose2{});
+    else
+        return std::nullopt;
+    weed();
+    return decide();
+}
+
+/// @return whether the search is over and its places, moved on to this scan, wait to be followed.
+bool Relocaliser::search(const Points& points_vehicle, const Pose2& pose_prev_now)
+{
+    if (!searching_)
+    {
+        search_.begin(raster_, points_vehicle.view(), options_.min_score);
+        pose_searched_now_ = {};
+        searching_ = true;
+    }
+    else
+        pose_searched_now_ = compose(pose_searched_now_, pose_prev_now);
+    if (!search_.advance(raster_, static_cast<std::size_t>(options_.looks_per_scan))) return false;
+    searching_ = false;
+    scans_followed_ = 0;
+    for (const PlaceCandidate& candidate : search_.candidates())
+    {
+        Place place;
+        place.evidence.pose_map_vehicle = compose(candidate.pose_map_vehicle, pose_searched_now_);
+        places_.push_back(place);
+    }
+    return true;
+}
+
+/// Without odometry: the motion since the last scan, by looking for this one in it.
+Pose2 Relocaliser::motionTo(const Points& points_vehicle)
+{
+    const std::size_t stride = points_vehicle.size() / kScanSearchPoints + 1;
+    points_thinned_.clear();
+    for (std::size_t i = 0; i < points_vehicle.size(); i += stride)
+        points_thinned_.add(points_vehicle.x[i], points_vehicle.y[i]);
+    const SearchWindow window{kMostStep_m, kMostTurn_rad};
+    const Pose2 found =
+        scan_search_.search(points_thinned_.view(), points_prev_.view(), window).correction;
+    // ICP starts from there: the new points turned, the old ones seen from the new place.
+    turn_points({0, 0, found.yaw}, points_vehicle.view(), points_turned_);
+    points_shifted_.clear();
+    for (std::size_t i = 0; i < points_prev_.size(); ++i)
+        points_shifted_.add(
+            points_prev_.x[i] - static_cast<float>(found.x),
+            points_prev_.y[i] - static_cast<float>(found.y));
+    const IcpResult fit = icp_.align(points_turned_.view(), points_shifted_.view());
+    return fit.pairs == 0 ? found : apply_correction(found, fit.correction);
+}
+
+void Relocaliser::follow(const Points& points_vehicle, const Pose2& pose_prev_now)
+{
+    ++scans_followed_;
+    for (Place& place : places_)
+    {
+        place.evidence = check_.look(
+            raster_, points_vehicle, compose(place.evidence.pose_map_vehicle, pose_prev_now));
+        place.strength += place.evidence.strength();
+        const bool is_good = place.evidence.on_points_share >= options_.min_explained_share &&
+                             place.evidence.through_share <= options_.max_through_share;
+        place.good_in_a_row = is_good ? place.good_in_a_row + 1 : 0;
+    }
+}
+
+/// Gives up places that do not explain the scan, and all but the strongest of those that have
+/// become one.
+void Relocaliser::weed()
+{
+    std::sort(
+        places_.begin(), places_.end(),
+        [](const Place& a, const Place& b) { return a.strength > b.strength; });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < places_.size(); ++k)
+    {
+        const Place& place = places_[k];
+        const bool explains =
+            place.evidence.on_points_share >= options_.min_explained_share - kRivalSlack &&
+            place.evidence.through_share <= options_.max_through_share + kRivalSlack;
+        const bool is_known = std::any_of(
+            places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(kept),
+            [&](const Place& other) {
+                return is_same_place(
+                    other.evidence.pose_map_vehicle, place.evidence.pose_map_vehicle);
+            });
+        if (explains && !is_known) places_[kept++] = place;
+    }
+    places_.resize(kept);
+}
+
+std::optional<PlaceEvidence> Relocaliser::decide()
+{
+    if (places_.empty()) return std::nullopt;
+    const Place& best = places_.front();
+    const bool is_alone =
+        places_.size() == 1 || best.strength - places_[1].strength >= options_.min_lead;
+    if (is_alone && best.good_in_a_row >= options_.confirm_scans)
+    {
+        const PlaceEvidence found = best.evidence;
+        restart();
+        return found;
+    }
+    if (scans_followed_ >= options_.max_scans) restart();
+    return std::nullopt;
+}
+}  // namespace rtob

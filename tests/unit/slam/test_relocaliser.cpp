@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <rtob/slam/relocaliser.h>
+
+#include <optional>
+
+#include "house.h"
+#include "near_pose.h"
+
+namespace rtob
+{
+namespace
+{
+using test::IsNearPose;
+
+RtobMap map_of(const test::Room& room, const std::vector<Pose2>& poses)
+{
+    RtobMap map;
+    double time_s = 0;
+    for (const Pose2& pose : poses)
+        map.insertScan(map.tick(time_s += 0.1), pose, room.scan_vehicle(pose).view());
+    return map;
+}
+
+RtobMap map_of_the_house()
+{
+    std::vector<Pose2> poses;
+    for (int k = 0; k < test::house_lap_scans; k += 4) poses.push_back(test::pose_in_house(k));
+    return map_of(test::house(), poses);
+}
+
+struct Found
+{
+    std::optional<Pose2> pose;
+    int scans = 0;
+};
+
+/// Follows the vehicle through the house from a scan on.
+Found find_in_house(
+    Relocaliser& relocaliser, const RtobMap& map, int first, bool has_odometry, int most = 10)
+{
+    Found found;
+    while (!found.pose && found.scans < most)
+    {
+        const int scan = first + found.scans++;
+        const auto motion = between(test::pose_in_house(scan - 1), test::pose_in_house(scan));
+        const auto place = relocaliser.take(
+            map.view(), test::house().scan_vehicle(test::pose_in_house(scan)),
+            has_odometry ? std::optional(motion) : std::nullopt);
+        if (place) found.pose = place->pose_map_vehicle;
+    }
+    return found;
+}
+
+TEST(Relocaliser, FindsTheVehicleFromAnywhere)
+{
+    const RtobMap map = map_of_the_house();
+    Relocaliser relocaliser({}, {});
+    for (const bool has_odometry : {false, true})
+        for (int first = 2; first < test::house_lap_scans; first += 37)
+        {
+            relocaliser.restart();
+            const Found found = find_in_house(relocaliser, map, first, has_odometry);
+            ASSERT_TRUE(found.pose) << first;
+            EXPECT_GE(found.scans, RelocaliseOptions().confirm_scans);
+            EXPECT_THAT(
+                *found.pose, IsNearPose(test::pose_in_house(first + found.scans - 1), 0.05, 0.02))
+                << first;
+        }
+}
+
+/// The search takes several scans, in which the vehicle drives on.
+TEST(Relocaliser, FindsItWithLittleWorkAScan)
+{
+    const RtobMap map = map_of_the_house();
+    RelocaliseOptions options;
+    options.looks_per_scan = 300'000;
+    for (const bool has_odometry : {false, true})
+    {
+        Relocaliser relocaliser(options, {});
+        const Found found = find_in_house(relocaliser, map, 100, has_odometry, 60);
+        ASSERT_TRUE(found.pose);
+        EXPECT_GT(found.scans, options.confirm_scans);
+        EXPECT_THAT(
+            *found.pose, IsNearPose(test::pose_in_house(100 + found.scans - 1), 0.05, 0.02));
+    }
+}
+
+/// A room that looks the same after half a turn.
+TEST(Relocaliser, BelievesNeitherOfTwoPlacesThatLookAlike)
+{
+    const test::Room room({{0, 0, 8, 0}, {8, 0, 8, 5}, {8, 5, 0, 5}, {0, 5, 0, 0}});
+    const RtobMap map = map_of(room, {{2, 2, 0}, {4, 2.5, 1}, {6, 3, 2}});
+    Relocaliser relocaliser({}, {});
+    for (int k = 0; k < 30; ++k)
+        EXPECT_FALSE(relocaliser.take(map.view(), room.scan_vehicle({3, 2, 0.5}), Pose2{})) << k;
+}
+
+TEST(Relocaliser, FindsNothingInAnotherWorld)
+{
+    const RtobMap map = map_of_the_house();
+    std::vector<test::Wall> walls;
+    test::add_circle(walls, 0, 0, 5);
+    const Points elsewhere = test::Room(walls).scan_vehicle({});
+    Relocaliser relocaliser({}, {});
+    for (int k = 0; k < 20; ++k)
+        EXPECT_FALSE(relocaliser.take(map.view(), elsewhere, Pose2{})) << k;
+}
+
+TEST(RelocaliseOptions, RefusesWhatMakesNoSense)
+{
+    RelocaliseOptions options;
+    EXPECT_NO_THROW(options.validate());
+    options.max_scans = options.confirm_scans - 1;
+    EXPECT_THROW(options.validate(), std::invalid_argument);
+    options = {};
+    options.min_score = 0;
+    EXPECT_THROW(options.validate(), std::invalid_argument);
+}
+}  // namespace
+}  // namespace rtob
