@@ -187,7 +187,8 @@ void write_live_results(
                          localiser.mountsOfMap(),
                          {},
                          config.run.run.map_resolution_m,
-                         ""});
+                         "",
+                         !config.run.slam.map.localize});
         });
     attempt([&] { write_text(folder.file("summary.json"), live_summary_json(summary)); });
     attempt([&] { write_text(folder.file("summary.txt"), live_line(summary) + "\n"); });

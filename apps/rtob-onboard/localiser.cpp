@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <rtob/io/scan_timing.h>
 #include <rtob/map/conversions.h>
+#include <rtob/slam/map_file.h>
 
 #include <array>
 
@@ -12,6 +13,7 @@ namespace rtob
 Localiser::Localiser(const RunConfig& config)
     : use_odometry_(config.run.use_odometry), sensor_(config.slam.sensor), slam_(config.slam)
 {
+    enter_map(slam_);
 }
 
 const ScanReport* Localiser::take(const mrpt::obs::CObservation& observation)
@@ -33,13 +35,8 @@ const ScanReport* Localiser::take(const mrpt::obs::CObservation& observation)
     last_beam_s_ = stamp_s_ = mrpt::Clock::toDouble(scan->timestamp);
     if (sweep_s_ && sweep_stamp_ == scan->timestamp) last_beam_s_ += *sweep_s_;
     const ScanReport& report = slam_.process(*scan);
-    const std::size_t map_scans = slam_.map().scans().size();
-    if (map_scans < mounts_of_map_.size()) mounts_of_map_.clear();  // the map was started anew
-    if (map_scans > mounts_of_map_.size())
-    {
-        const auto mount = sensor_.mountOf(*scan);
-        mounts_of_map_.push_back({mount.x(), mount.y(), mount.yaw()});
-    }
+    const auto mount = sensor_.mountOf(*scan);
+    mounts_.add(report, {mount.x(), mount.y(), mount.yaw()});
     return &report;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "run/run_options.h"
+#include "run/scan_mounts.h"
 
 namespace rtob
 {
@@ -14,6 +15,8 @@ namespace rtob
 class Localiser
 {
  public:
+    /// Begins in the map that [Map] names, if it names one. Throws std::runtime_error when that
+    /// cannot be read.
     explicit Localiser(const RunConfig& config);
 
     /// @return the report of a scan that was localised, or null
@@ -29,7 +32,7 @@ class Localiser
     [[nodiscard]] double poseTime() const { return 0.5 * (stamp_s_ + last_beam_s_); }
     [[nodiscard]] const Slam& slam() const { return slam_; }
     /// pose_vehicle_laser behind each scan of the map.
-    [[nodiscard]] const std::vector<Pose2>& mountsOfMap() const { return mounts_of_map_; }
+    [[nodiscard]] std::vector<Pose2> mountsOfMap() const { return mounts_.of(slam_.map().scans()); }
 
  private:
     bool use_odometry_;
@@ -38,7 +41,7 @@ class Localiser
     std::optional<double> sweep_s_;
     mrpt::Clock::time_point sweep_stamp_{};
     double stamp_s_ = 0, last_beam_s_ = 0;
-    std::vector<Pose2> mounts_of_map_;
+    ScanMounts mounts_;
 };
 
 /// The result as it stands in the log: label "rtob.pose".

@@ -20,7 +20,7 @@ struct Verb
     rtob::VerbAction (*declare)(CLI::App&);
 };
 
-constexpr std::array<Verb, 10> verbs{
+constexpr std::array<Verb, 12> verbs{
     {{"run", "turn a laser log into a trajectory and a map", rtob::declare_run},
      {"check", "look for faults in a log, and suggest an .ini", rtob::declare_check},
      {"convert", "turn a log into a rawlog, a CARMEN log or poses", rtob::declare_convert},
@@ -31,6 +31,10 @@ constexpr std::array<Verb, 10> verbs{
      {"simulate", "fly a simulated world and write log and truth", rtob::declare_simulate},
      {"emulate", "a laser that is none: plays a log to a driver", rtob::declare_emulate},
      {"tune", "find settings for a time budget", rtob::declare_tune},
+     {"recovery", "lose the vehicle on a log, and count how it finds itself again",
+      rtob::declare_recovery},
+     {"endure", "fly a simulated world for as long as you like, and watch memory and time",
+      rtob::declare_endure},
      {"options", "list every key of the .ini with its default", rtob::declare_options}}};
 
 struct DeclaredVerb

@@ -19,10 +19,11 @@ namespace
 /// The flags as typed; empty where not given.
 struct RunFlags
 {
-    std::string log, config_file, folder, seed, density, first, skip;
+    std::string log, config_file, folder, seed, density, first, skip, map, initial_pose;
     std::vector<std::string> sets;
     std::string wish = "driven";
-    bool overwrite = false, no_odometry = false, simple_map = false, guard = false, quiet = false;
+    bool overwrite = false, no_odometry = false, simple_map = false, guard = false, quiet = false,
+         localize = false;
 };
 
 constexpr const char* footer =
@@ -55,6 +56,10 @@ std::vector<OptionFlag> option_flags(const RunFlags& flags)
     if (!flags.seed.empty()) options.push_back({"--seed", "Run", "seed", flags.seed});
     if (!flags.density.empty())
         options.push_back({"--density", "Density", "density", flags.density});
+    if (!flags.map.empty()) options.push_back({"--map", "Map", "file", flags.map});
+    if (flags.localize) options.push_back({"--localize", "Map", "localize", "true"});
+    if (!flags.initial_pose.empty())
+        options.push_back({"--initial-pose", "Map", "initial_pose", flags.initial_pose});
     if (flags.no_odometry) options.push_back({"--no-odometry", "Run", "use_odometry", "false"});
     return options;
 }
@@ -125,6 +130,10 @@ VerbAction declare_run(CLI::App& command)
     command.add_flag("--no-odometry", flags->no_odometry, "leave the log's odometry aside");
     add("--density", flags->density, "NAME",
         "uniform, interval, window, forgetting or revisit: [Density] density");
+    add("--map", flags.map, "FILE.rtob", "go on in the map of an earlier run: [Map] file");
+    command.add_flag("--localize", flags.localize, "with --map: leave the map as it is");
+    add("--initial-pose", flags.initial_pose, "X,Y,YAW_DEG",
+        "where in --map the vehicle is; without it, it is looked for everywhere");
     add("--first", flags->first, "N", "end after this many scans");
     add("--skip", flags->skip, "N", "pass over this many scans at the start");
     add("--set", flags->sets, "Section.key=value", "set any option; may be given again")

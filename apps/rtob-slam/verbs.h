@@ -9,9 +9,11 @@ namespace rtob
 using VerbAction = std::function<int()>;
 
 /// Each adds its flags to its subcommand and returns its action, to be called after parsing.
+VerbAction declare_recovery(CLI::App& command);
 VerbAction declare_run(CLI::App& command);
 VerbAction declare_check(CLI::App& command);
 VerbAction declare_convert(CLI::App& command);
+VerbAction declare_endure(CLI::App& command);
 VerbAction declare_eval(CLI::App& command);
 VerbAction declare_compare(CLI::App& command);
 /// One run of a comparison: compare starts it as a process of its own.

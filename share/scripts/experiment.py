@@ -16,6 +16,7 @@ import experiment_envelope
 import experiment_gyro
 import experiment_hour
 import experiment_loops
+import experiment_recovery
 import experiment_sigma
 from experiment_runs import OUT, WORLDS, call, figures, run, simulate, spread_table
 
@@ -63,6 +64,7 @@ EXPERIMENTS = {
     "gyro": lambda _, options: experiment_gyro.experiment(options),
     "sigma": lambda _, options: experiment_sigma.experiment(options),
     "hour": lambda _, options: experiment_hour.experiment(options),
+    "recovery": lambda _, options: experiment_recovery.experiment(options),
 }
 
 

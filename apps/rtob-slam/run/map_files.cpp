@@ -4,11 +4,10 @@
 #include <rtob/io/map_server.h>
 #include <rtob/io/occupancy_raster.h>
 #include <rtob/map/map_export.h>
+#include <rtob/slam/map_file.h>
 
 #include <limits>
 #include <stdexcept>
-
-#include "run/packed_object.h"
 
 namespace rtob
 {
@@ -48,7 +47,7 @@ double write_occupancy(const std::string& stem, const MapFilesInput& input)
 
 double write_map_data(const OutputFolder& folder, const MapFilesInput& input)
 {
-    write_packed_object(folder.file("map.rtob"), input.map);
+    if (input.wants_map_file) save_map(folder.file("map.rtob"), input.map);
     save_ply(input.map, folder.file("map.ply"));
     return write_occupancy(folder.file("map"), input);
 }

@@ -16,6 +16,7 @@ struct MapFilesInput
     std::vector<Pose2> path;                 ///< map <- vehicle, of every scan of the log
     double resolution_m = 0.05;              ///< of map.pgm
     std::string title;                       ///< of map.png
+    bool wants_map_file = true;              ///< map.rtob, for runs to come
 };
 
 /// Writes map.rtob, map.ply and map.pgm with map.yaml; the path and the title are not needed.

@@ -3,6 +3,8 @@
 #include "run/read_ahead.h"
 
 #include <rtob/core/enum_names.h>
+#include <rtob/io/checked_object.h>
+#include <rtob/slam/map_file.h>
 
 #include <memory>
 #include <stdexcept>
@@ -11,6 +13,7 @@
 #include "run/packed_object.h"
 #include "run/peak_memory.h"
 #include "run/scan_files.h"
+#include "run/scan_mounts.h"
 #include "run/simple_map_recorder.h"
 
 namespace rtob
@@ -47,11 +50,9 @@ class ScanRecorder
         scan_files_->add(report);
         if (guard_) guard_->add(scan, report);
         path_.push_back(report.pose_map_vehicle);
-        const bool is_in_map = poses_vehicle_laser_.size() < slam_.map().scans().size();
-        if (!is_in_map) return;
         const auto mount = sensor_.mountOf(scan);
-        poses_vehicle_laser_.push_back({mount.x(), mount.y(), mount.yaw()});
-        if (job_.wants_simple_map) simple_map_.add(scan, mount, report);
+        mounts_.add(report, {mount.x(), mount.y(), mount.yaw()});
+        if (report.inserted && job_.wants_simple_map) simple_map_.add(scan, mount, report);
     }
 
     [[nodiscard]] const RunCounters& counters() const { return counters_; }
@@ -68,8 +69,8 @@ class ScanRecorder
         if (job_.wants_simple_map)
             write_packed_object(folder_.file("map.simplemap"), simple_map_.map());
         return write_map_files(
-            folder_,
-            {slam_.map(), poses_vehicle_laser_, path_, job_.config.run.map_resolution_m, title()});
+            folder_, {slam_.map(), mounts_.of(slam_.map().scans()), path_,
+                      job_.config.run.map_resolution_m, title(), !job_.config.slam.map.localize});
     }
 
  private:
@@ -88,7 +89,8 @@ class ScanRecorder
     std::unique_ptr<ScanFiles> scan_files_;
     std::unique_ptr<GuardReplay> guard_;
     RunCounters counters_;
-    std::vector<Pose2> path_, poses_vehicle_laser_;
+    std::vector<Pose2> path_;
+    ScanMounts mounts_;
     SimpleMapRecorder simple_map_;
 };
 
@@ -118,6 +120,7 @@ RunSummary summary_of(
     summary.map_points = slam.map().size();
     summary.map_scans = slam.map().scans().size();
     summary.map_bytes = slam.map().bytesInUse();
+    summary.map_checksum = checksum_text(map_checksum(slam.map()));
     return summary;
 }
 }  // namespace
@@ -128,6 +131,8 @@ RunSummary do_run(const RunJob& job, ProgressLine& progress, const std::function
     ReadAhead log(open_log(job.log));
     const auto start = Clock::now();
     Slam slam(job.config.slam);
+    enter_map(slam);
+    const std::uint32_t checksum_before = map_checksum(slam.map());
     ScanRecorder recorder(job, folder, slam);
 
     const auto run = run_log(
@@ -146,6 +151,7 @@ RunSummary do_run(const RunJob& job, ProgressLine& progress, const std::function
 
     RunSummary summary = summary_of(job, slam, run, recorder.counters());
     summary.guard = recorder.guardCounts();
+    summary.map_checksum_before = checksum_text(checksum_before);
     summary.matching_s = seconds_since(start);
     summary.matching_memory_mb = peak_memory_mb();
     summary.map_resolution_m = recorder.write();

@@ -129,7 +129,13 @@ Json groups_of(const RunSummary& summary)
         {"scans", summary.map_scans},
         {"points", summary.map_points},
         {"in_use_mb", static_cast<double>(summary.map_bytes) / 1e6},
-        {"picture_resolution_m", summary.map_resolution_m}};
+        {"picture_resolution_m", summary.map_resolution_m},
+        {"checksum", summary.map_checksum}};
+    if (const auto& map = summary.config.slam.map; !map.file.empty())
+        groups["map"].update(
+            {{"from_file", map.file},
+             {"checksum_before", summary.map_checksum_before},
+             {"localised_only", map.localize}});
     if (summary.guard) groups["guard"] = guard_json(*summary.guard);
     groups["time"] = times_json(summary);
     groups["memory"] = {

@@ -27,6 +27,7 @@ struct RunSummary
     bool has_odometry = false;
     std::vector<SensorFigures> sensors;
     std::size_t map_points = 0, map_scans = 0, map_bytes = 0;
+    std::string map_checksum, map_checksum_before;  ///< before: of a map from a file
     double map_resolution_m = 0;
     double matching_s = 0;          ///< wall time from the first entry to the last
     double total_s = 0;             ///< the same with the writing of the map
