@@ -130,9 +130,9 @@ VerbAction declare_run(CLI::App& command)
     command.add_flag("--no-odometry", flags->no_odometry, "leave the log's odometry aside");
     add("--density", flags->density, "NAME",
         "uniform, interval, window, forgetting or revisit: [Density] density");
-    add("--map", flags.map, "FILE.rtob", "go on in the map of an earlier run: [Map] file");
-    command.add_flag("--localize", flags.localize, "with --map: leave the map as it is");
-    add("--initial-pose", flags.initial_pose, "X,Y,YAW_DEG",
+    add("--map", flags->map, "FILE.rtob", "go on in the map of an earlier run: [Map] file");
+    command.add_flag("--localize", flags->localize, "with --map: leave the map as it is");
+    add("--initial-pose", flags->initial_pose, "X,Y,YAW_DEG",
         "where in --map the vehicle is; without it, it is looked for everywhere");
     add("--first", flags->first, "N", "end after this many scans");
     add("--skip", flags->skip, "N", "pass over this many scans at the start");

@@ -88,9 +88,8 @@ void endure(const EnduranceJob& job, const std::function<void(const EnduranceBlo
 
 std::string endurance_header()
 {
-    return "     scans   hours  map scans  map points  memory MB  p50 ms  p99 ms  max ms  worst "
-           "error "
-           "m  not tracking\n";
+    return "     scans   hours  map scans  map points  memory MB  p50 ms  p99 ms  max ms"
+           "  worst error m  not tracking\n";
 }
 
 std::string endurance_line(const EnduranceBlock& block)

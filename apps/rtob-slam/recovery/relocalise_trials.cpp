@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recovery/relocalise_trials.h"
 
+#include <rtob/core/processor_time.h>
 #include <rtob/core/random.h>
 #include <rtob/slam/relocaliser.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 
 namespace rtob
@@ -44,10 +45,9 @@ class Trial
     template <class Work>
     static double timed(const Work& work)
     {
-        const auto start = std::chrono::steady_clock::now();
+        const double start_s = thread_processor_time_s();
         work();
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count();
+        return 1e3 * (thread_processor_time_s() - start_s);
     }
 
     void look(const RtobMap& map, const DrivenScan& driven, RelocaliseTrial& trial)

@@ -28,7 +28,8 @@ struct RelocaliseTrial
     Outcome outcome = Outcome::Nowhere;
     int scans = 0;  ///< looked at
     double error_m = 0, error_deg = 0;
-    double total_ms = 0;  ///< of all scans looked at, the drawing of the map apart
+    double total_ms =
+        0;  ///< of the processor, for all scans looked at, the drawing of the map apart
     double worst_ms = 0;  ///< the same, of one
     double map_ms = 0;    ///< to draw the map, once a map
 };

@@ -33,7 +33,11 @@ RtobMap load_map(const std::string& file)
 void enter_map(Slam& slam)
 {
     const MapOptions& options = slam.options().map;
-    if (!options.file.empty()) slam.continueIn(load_map(options.file), options.initialPose());
+    if (options.file.empty()) return;
+    const RtobMap map = load_map(options.file);
+    if (options.localize && map.scans().empty())
+        throw std::runtime_error(options.file + ": is empty; name a map to localise in.");
+    slam.continueIn(map, options.initialPose());
 }
 
 std::uint32_t map_checksum(const RtobMap& map)

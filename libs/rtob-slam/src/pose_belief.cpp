@@ -15,6 +15,8 @@ constexpr double kNewestShare = 0.3;
 constexpr double kVelocityLasts_s = 10;
 // Standing wheels slip this much, one sigma a step.
 constexpr double kLeastWay_m = 0.002, kLeastTurn_deg = 0.05;
+// The variance of a pose of which nothing is known, beside any match's.
+constexpr double kAnywhere = 1e4;
 // Where the state's parts begin.
 constexpr int kPose = 0, kVelocity = 3, kLocalMap = 6;
 
@@ -44,6 +46,12 @@ void PoseBelief::begin()
 {
     p_.setZero();
     p_.diagonal().segment<3>(kVelocity) = change();
+}
+
+void PoseBelief::forget()
+{
+    begin();
+    p_.diagonal().segment<3>(kPose).setConstant(kAnywhere);
 }
 
 void PoseBelief::advance(double step_s, const Eigen::Vector2d& way_map, bool by_odometry)

@@ -20,18 +20,23 @@ constexpr std::size_t kScanSearchPoints = 100;
 constexpr float kLeastReach_m = 1.0F;
 // Refined places that are nearer have become one.
 constexpr double kSame_m = 0.3, kSame_rad = 0.1;
+// Tracking that slipped, as where people hide the walls, comes back from nearer by itself, and of a
+// corridor's two directions the odd scan takes the wrong one.
+constexpr double kCarried_m = 2.5;
 
-bool reaches_far(const Points& points_vehicle)
+double distance_m(const Pose2& a, const Pose2& b)
 {
-    for (std::size_t i = 0; i < points_vehicle.size(); ++i)
-        if (std::hypot(points_vehicle.x[i], points_vehicle.y[i]) >= kLeastReach_m) return true;
-    return false;
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+bool is_carried(const Pose2& from, const Pose2& to)
+{
+    return distance_m(from, to) >= kCarried_m;
 }
 
 bool is_same_place(const Pose2& a, const Pose2& b)
 {
-    return std::hypot(a.x - b.x, a.y - b.y) < kSame_m &&
-           std::abs(wrap_angle(a.yaw - b.yaw)) < kSame_rad;
+    return distance_m(a, b) < kSame_m && std::abs(wrap_angle(a.yaw - b.yaw)) < kSame_rad;
 }
 }  // namespace
 
@@ -54,7 +59,14 @@ Relocaliser::Relocaliser(const RelocaliseOptions& options, const IcpOptions& icp
     : options_(options), check_(icp), icp_(icp)
 {
     options_.validate();
-    places_.reserve(GlobalSearch::kMostCandidates);
+    places_.reserve(GlobalSearch::kMostCandidates + 1);
+}
+
+bool Relocaliser::tellsPlaces(const Points& points_vehicle)
+{
+    for (std::size_t i = 0; i < points_vehicle.size(); ++i)
+        if (std::hypot(points_vehicle.x[i], points_vehicle.y[i]) >= kLeastReach_m) return true;
+    return false;
 }
 
 void Relocaliser::restart()
@@ -72,10 +84,11 @@ void Relocaliser::learn(const MapView& map)
 }
 
 std::optional<PlaceEvidence> Relocaliser::take(
-    const MapView& map, const Points& points_vehicle, const std::optional<Pose2>& pose_prev_now)
+    const MapView& map, const Points& points_vehicle, const std::optional<Pose2>& pose_prev_now,
+    const std::optional<Pose2>& pose_map_tracked)
 {
     if (!raster_ready_) learn(map);
-    if (!reaches_far(points_vehicle))
+    if (!tellsPlaces(points_vehicle))
     {
         restart();
         return std::nullopt;
@@ -89,7 +102,10 @@ std::optional<PlaceEvidence> Relocaliser::take(
     if (!places_.empty())
         follow(points_vehicle, motion);
     else if (search(points_vehicle, motion))
+    {
+        if (pose_map_tracked) addPlace(*pose_map_tracked);
         follow(points_vehicle, Pose2{});
+    }
     else
         return std::nullopt;
     weed();
@@ -111,12 +127,15 @@ bool Relocaliser::search(const Points& points_vehicle, const Pose2& pose_prev_no
     searching_ = false;
     scans_followed_ = 0;
     for (const PlaceCandidate& candidate : search_.candidates())
-    {
-        Place place;
-        place.evidence.pose_map_vehicle = compose(candidate.pose_map_vehicle, pose_searched_now_);
-        places_.push_back(place);
-    }
+        addPlace(compose(candidate.pose_map_vehicle, pose_searched_now_));
     return true;
+}
+
+void Relocaliser::addPlace(const Pose2& pose_map_vehicle)
+{
+    Place place;
+    place.evidence.pose_map_vehicle = pose_map_vehicle;
+    places_.push_back(place);
 }
 
 /// Without odometry: the motion since the last scan, by looking for this one in it.
@@ -185,13 +204,31 @@ std::optional<PlaceEvidence> Relocaliser::decide()
     const Place& best = places_.front();
     const bool is_alone =
         places_.size() == 1 || best.strength - places_[1].strength >= options_.min_lead;
-    if (is_alone && best.good_in_a_row >= options_.confirm_scans)
-    {
-        const PlaceEvidence found = best.evidence;
-        restart();
-        return found;
-    }
+    if (is_alone && best.good_in_a_row >= options_.confirm_scans) return best.evidence;
     if (scans_followed_ >= options_.max_scans) restart();
     return std::nullopt;
+}
+
+bool Relocaliser::isElsewhere(const Pose2& pose_map_tracked) const
+{
+    if (places_.empty()) return false;
+    const auto is_tracked = [&](const Place& place)
+    { return !is_carried(pose_map_tracked, place.evidence.pose_map_vehicle); };
+    const Place& best = places_.front();
+    if (is_tracked(best) || best.good_in_a_row < options_.confirm_scans) return false;
+    const auto tracked = std::find_if(places_.begin(), places_.end(), is_tracked);
+    return tracked == places_.end() || best.strength - tracked->strength >= options_.min_lead;
+}
+
+bool Relocaliser::hasRival(const Pose2& pose_map_tracked) const
+{
+    return searching_ ||
+           std::any_of(
+               places_.begin(), places_.end(),
+               [&](const Place& place)
+               {
+                   return place.good_in_a_row > 0 &&
+                          is_carried(pose_map_tracked, place.evidence.pose_map_vehicle);
+               });
 }
 }  // namespace rtob

@@ -89,15 +89,15 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     Match match = matchGuess(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
     if (isDoubtful(match)) searchAround(pose_map_init, match);
     if (isFalseStart(match)) return startMap(pose_map_init, scan.sensorLabel);
-    match.is_torn = isTorn(match, scan.sensorLabel);
-    if (match.verdict == FitVerdict::Good && !match.is_torn && options_.remembers() &&
+    doubt(pose_map_init, scan.sensorLabel, match);
+    if (match.verdict == FitVerdict::Good && !match.is_doubted && options_.remembers() &&
         wantsToWrite(match, scan.sensorLabel))
     {
         anchor(match);
         closeLoop(match);
     }
     settle(match);
-    if (report_.state == TrackingState::Tracking)
+    if (is_match(match.verdict))
         continuity_.tracked(scan.sensorLabel, report_.pose_map_vehicle, points_vehicle_);
     insert(match, scan.sensorLabel);  // 7.
     return report_;                   // 8.
@@ -159,6 +159,7 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
     map_.clear();
     local_.drop();
     scans_of_map_ = 1;
+    doubted_scans_ = 0;
     insertion_.clear();
     travel_ = TravelLog();
     thinner_.makeRoom(map_, travel_);
@@ -176,19 +177,22 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
 
 const ScanReport& Slam::settle(const Match& match)
 {
-    if (tracking_.state() == TrackingState::Init)
-        report(match, TrackingState::Init);
-    else
-        report(match, tracking_.next(match.is_torn ? FitVerdict::Weak : match.verdict));
-    if (tracking_.isLost()) relocaliser_.restart();
+    if (match.is_elsewhere)
+        tracking_.lose(true);
+    else if (match.is_doubted && is_match(match.verdict))
+        tracking_.doubt();
+    else if (tracking_.state() != TrackingState::Init)
+        tracking_.next(match.verdict);
+    if (tracking_.isLost()) doubted_scans_ = 0;
+    report(match, tracking_.state());
     return report_;
 }
 
 void Slam::report(const Match& match, TrackingState state)
 {
     const bool matched =
-        is_match(match.verdict) &&
-        (match.is_torn || state == TrackingState::Tracking || state == TrackingState::Relocalising);
+        is_match(match.verdict) && (match.is_doubted || state == TrackingState::Tracking ||
+                                    state == TrackingState::Relocalising);
     report_.state = state;
     report_.verdict = match.verdict;
     report_.pose_map_vehicle = matched ? match.pose_map_vehicle : predicted();

@@ -4,14 +4,22 @@
 
 #include <rtob/slam/slam.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace rtob
 {
 namespace
 {
-// After a scan that did not follow the last one, the next must do so by more than usual.
-constexpr double kMoreAgreement = 0.1;
+// A vehicle that is carried away hardly ever fits nearer than this to where it was expected.
+constexpr double kJump_m = 0.08, kJump_rad = 0.08;
+// Nor does it find that much of what it sees in the map where it is not.
+constexpr double kSureShare = 0.93;
+
+bool is_jump(const Pose2& from, const Pose2& to)
+{
+    return std::hypot(to.x - from.x, to.y - from.y) > kJump_m ||
+           std::abs(wrap_angle(to.yaw - from.yaw)) > kJump_rad;
+}
 }  // namespace
 
 void Slam::continueIn(const RtobMap& map, const std::optional<Pose2>& pose_map_vehicle)
@@ -44,6 +52,7 @@ void Slam::reset(const Pose2& pose_map_vehicle)
     local_.drop();
     continuity_.clear();
     relocaliser_.restart();
+    doubted_scans_ = 0;
     report_.pose_map_vehicle = pose_map_vehicle;
 }
 
@@ -55,30 +64,58 @@ void Slam::thinMap()
     local_.drop();
 }
 
-/// Whether the scan, although it may fit the map, does not follow the last one: the vehicle may
-/// have been carried into a place like its own.
-bool Slam::isTorn(const Match& match, const std::string& laser)
+/// A scan may fit the map and yet not follow the last one: the vehicle may have been carried into a
+/// place like its own. Then nothing is written until the place has stood against all others.
+void Slam::doubt(const Pose2& pose_map_init, const std::string& laser, Match& match)
 {
-    const double usual = options_.tracking.min_agreement;
-    if (usual == 0 || !is_match(match.verdict)) return false;
-    const bool is_doubted = tracking_.state() == TrackingState::Degraded;
-    const double least = std::min(1.0, usual + (is_doubted ? kMoreAgreement : 0.0));
-    const StepTimer timer(report_.times.align_s);
-    return continuity_.agreement(laser, match.pose_map_vehicle, points_vehicle_) < least;
+    const double least = options_.tracking.min_agreement;
+    if (least == 0 || !relocaliser_.enabled()) return;
+    if (!Relocaliser::tellsPlaces(points_vehicle_)) match.verdict = FitVerdict::Weak;
+    if (doubted_scans_ == 0)
+    {
+        const StepTimer timer(report_.times.align_s);
+        if (!is_match(match.verdict) || !is_jump(pose_map_init, match.pose_map_vehicle) ||
+            continuity_.agreement(laser, match.pose_map_vehicle, points_vehicle_) >= least)
+            return;
+        relocaliser_.restart();
+    }
+    ++doubted_scans_;
+    match.is_doubted = true;
+    if (!is_match(match.verdict))
+    {
+        (void)lookEverywhere(pose_map_init, std::nullopt);
+        return;
+    }
+    const Pose2& tracked = match.pose_map_vehicle;
+    const auto found = lookEverywhere(pose_map_init, tracked);
+    match.is_elsewhere = match.fit.known_share < kSureShare && relocaliser_.isElsewhere(tracked);
+    // Where nothing decides, the vehicle has more likely driven than been carried.
+    const bool is_alone =
+        doubted_scans_ >= options_.relocalise.max_scans / 2 && !relocaliser_.hasRival(tracked);
+    const bool has_stood = found || is_alone || doubted_scans_ >= options_.relocalise.max_scans;
+    if (match.is_elsewhere || !has_stood) return;
+    relocaliser_.restart();
+    match.is_doubted = false;
+    doubted_scans_ = 0;
 }
 
-/// A scan of a vehicle that is lost: a step of the search through the whole map.
-const ScanReport& Slam::recover(const Pose2& pose_map_init, const std::string& laser)
+/// A step of the search through the whole map.
+/// @param pose_map_tracked a place that is looked at, too.
+std::optional<PlaceEvidence> Slam::lookEverywhere(
+    const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked)
 {
     report_.searched = true;
-    std::optional<PlaceEvidence> found;
-    {
-        const StepTimer timer(report_.times.search_s);
-        std::optional<Pose2> pose_prev_now;
-        if (hasOdometry() || motion_.decides())
-            pose_prev_now = between(prealignment_.last(), pose_map_init);
-        found = relocaliser_.take(map_.view(), points_vehicle_, pose_prev_now);
-    }
+    const StepTimer timer(report_.times.search_s);
+    std::optional<Pose2> pose_prev_now;
+    if (hasOdometry() || motion_.decides())
+        pose_prev_now = between(prealignment_.last(), pose_map_init);
+    return relocaliser_.take(map_.view(), points_vehicle_, pose_prev_now, pose_map_tracked);
+}
+
+/// A scan of a vehicle that is lost.
+const ScanReport& Slam::recover(const Pose2& pose_map_init, const std::string& laser)
+{
+    const auto found = lookEverywhere(pose_map_init, std::nullopt);
     if (!found)
     {
         tracking_.lose(relocaliser_.hasCandidates());
@@ -88,7 +125,9 @@ const ScanReport& Slam::recover(const Pose2& pose_map_init, const std::string& l
     reset(found->pose_map_vehicle);
     drift_.heldNow(travel_);
     tracking_.start();
-    report({found->pose_map_vehicle, found->fit, FitVerdict::Good, true}, tracking_.state());
+    belief_.forget();
+    const Pose2& pose = found->pose_map_vehicle;
+    report({pose, found->fit, FitVerdict::Good, pose, found->fit}, tracking_.state());
     continuity_.tracked(laser, found->pose_map_vehicle, points_vehicle_);
     return report_;
 }

@@ -51,6 +51,17 @@ TEST(MapFile, IsRefusedWhenCutShort)
             testing::HasSubstr("Copy it again")));
 }
 
+TEST(MapFile, AnEmptyMapIsNothingToLocaliseIn)
+{
+    const TemporaryFolder folder;
+    SlamOptions options;
+    options.map.file = folder.file("a.rtob");
+    options.map.localize = true;
+    save_map(options.map.file, RtobMap());
+    Slam slam(options);
+    EXPECT_THAT(error_message([&] { enter_map(slam); }), testing::HasSubstr("a.rtob: is empty"));
+}
+
 TEST(MapChecksum, ChangesWithEveryPointAndPoseNotWithTheClock)
 {
     RtobMap map;

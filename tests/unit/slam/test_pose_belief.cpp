@@ -41,6 +41,15 @@ double sigma(const Eigen::Matrix3d& covariance, int axis)
 }
 }  // namespace
 
+TEST(PoseBelief, ForgottenItIsWorthItsNextMatch)
+{
+    PoseBelief belief;
+    belief.forget();
+    const Eigen::Matrix3d match = Eigen::Vector3d(1e-4, 4e-4, 1e-5).asDiagonal();
+    belief.matched(match);
+    EXPECT_TRUE(belief.inMap().isApprox(match, 1e-3));
+}
+
 TEST(PoseBelief, IsCertainWhereTheMapBegins)
 {
     EXPECT_TRUE(PoseBelief().inMap().isZero());

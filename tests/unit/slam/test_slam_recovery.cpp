@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map that was made before, being lost in it, and being found again.
 #include <gmock/gmock.h>
+#include <mrpt/obs/CObservationOdometry.h>
 #include <rtob/slam/map_file.h>
 #include <rtob/slam/slam.h>
 
@@ -93,6 +94,39 @@ TEST(SlamRecovery, CarriedAwayItIsLostWithinFiveScansAndFoundAgain)
     EXPECT_GT(lost_after, 0);
     EXPECT_GT(scans_until_found(slam, 200 + lost_after), 0);
     EXPECT_EQ(map_checksum(slam.map()), before);
+}
+
+/// The scans of seconds are missing, in which the vehicle, with odometry, drove into the other
+/// room: what it sees does not follow what it saw, yet it is where it is thought to be.
+TEST(SlamRecovery, AGapInTheScansIsNoKidnapping)
+{
+    Slam slam;
+    slam.continueIn(house_map(), test::pose_in_house_map(20));
+    const auto take = [&slam](int k)
+    {
+        mrpt::obs::CObservationOdometry odometry;
+        const Pose2 pose = test::pose_in_house(k);
+        const double slip_m = k < 100 ? 0 : 0.12;  // of the wheels, in the gap
+        odometry.odometry = {pose.x + slip_m, pose.y, pose.yaw};
+        slam.observe(odometry);
+        return slam.process(test::scan_in_house(k));
+    };
+    for (int k = 20; k < 40; ++k) take(k);
+    ASSERT_EQ(slam.state(), TrackingState::Tracking);
+    const auto before = map_checksum(slam.map());
+    int doubted = 0;
+    for (int k = 140; k < 160; ++k)
+    {
+        const auto report = take(k);
+        ASSERT_THAT(report.pose_map_vehicle, IsNearPose(test::pose_in_house_map(k), 0.05, 0.02));
+        if (report.state == TrackingState::Tracking) continue;
+        EXPECT_EQ(report.state, TrackingState::Degraded) << k;
+        EXPECT_EQ(map_checksum(slam.map()), before) << k;
+        ++doubted;
+    }
+    EXPECT_GE(doubted, 1);
+    EXPECT_LE(doubted, 4);
+    EXPECT_EQ(slam.state(), TrackingState::Tracking);
 }
 
 TEST(SlamRecovery, ACoveredLaserIsNoticed)

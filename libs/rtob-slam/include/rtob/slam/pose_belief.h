@@ -27,6 +27,9 @@ class PoseBelief
     /// Nothing is as certain as where a map begins; how fast the vehicle moves is not known.
     void begin();
 
+    /// The vehicle was lost: only matches to come say where it is.
+    void forget();
+
     /// The vehicle has moved on.
     /// @param way_map since the last scan: what an error of yaw makes of it counts
     /// @param by_odometry else at the velocity of before

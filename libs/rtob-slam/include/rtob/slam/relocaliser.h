@@ -17,7 +17,7 @@ struct RelocaliseOptions
     double min_score = 0.5;
     double min_explained_share = 0.8;
     double max_through_share = 0.15;
-    double min_lead = 0.15;
+    double min_lead = 0.4;
     int confirm_scans = 3;
     int max_scans = 12;
     int looks_per_scan = 20'000'000;
@@ -69,15 +69,24 @@ class Relocaliser
     void forgetMap() { raster_ready_ = false; }
     /// Draws the map now.
     void learn(const MapView& map);
+    /// Whether the scan reaches far enough to tell one place from another: not with a covered
+    /// laser.
+    [[nodiscard]] static bool tellsPlaces(const Points& points_vehicle);
     /// Starts from nothing.
     void restart();
 
-    /// The next scan of a vehicle that is lost.
+    /// The next scan of a vehicle that is lost, or may be.
     /// @param pose_prev_now its motion since the last one, where odometry tells.
-    /// @return the place, once it is sure.
+    /// @param pose_map_tracked where it is if it is not lost: one place more to be compared.
+    /// @return the place, once it is sure; restart() before looking for another.
     [[nodiscard]] std::optional<PlaceEvidence> take(
-        const MapView& map, const Points& points_vehicle,
-        const std::optional<Pose2>& pose_prev_now);
+        const MapView& map, const Points& points_vehicle, const std::optional<Pose2>& pose_prev_now,
+        const std::optional<Pose2>& pose_map_tracked = std::nullopt);
+
+    /// Whether another place than this one explained the last scans, and far better.
+    [[nodiscard]] bool isElsewhere(const Pose2& pose_map_tracked) const;
+    /// Whether another place may yet do so.
+    [[nodiscard]] bool hasRival(const Pose2& pose_map_tracked) const;
 
     /// Whether there are places that wait to be confirmed.
     [[nodiscard]] bool hasCandidates() const { return !places_.empty(); }
@@ -91,6 +100,7 @@ class Relocaliser
     };
 
     [[nodiscard]] bool search(const Points& points_vehicle, const Pose2& pose_prev_now);
+    void addPlace(const Pose2& pose_map_vehicle);
     void follow(const Points& points_vehicle, const Pose2& pose_prev_now);
     void weed();
     [[nodiscard]] std::optional<PlaceEvidence> decide();

@@ -66,8 +66,9 @@ class Slam
         Pose2 pose_map_local{};                           ///< before old scans corrected it
         IcpResult fit_local{};                            ///< of that
         std::optional<Eigen::Matrix3d> covariance_old{};  ///< of the match with old scans
-        bool is_found = false;  ///< by a search, which the next scan has to confirm
-        bool is_torn = false;   ///< it fits the map, yet it does not follow the last scan
+        bool is_found = false;      ///< by a search, which the next scan has to confirm
+        bool is_doubted = false;    ///< the vehicle may have been carried away
+        bool is_elsewhere = false;  ///< it was
     };
 
     void begin(const mrpt::obs::CObservation2DRangeScan& scan);
@@ -81,9 +82,11 @@ class Slam
     [[nodiscard]] std::size_t trustedBegin() const;
     [[nodiscard]] bool isDoubtful(const Match& match) const;
     [[nodiscard]] double mostMisled_m(const Pose2& pose_map_init) const;
-    [[nodiscard]] bool isTorn(const Match& match, const std::string& laser);
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
+    void doubt(const Pose2& pose_map_init, const std::string& laser, Match& match);
+    [[nodiscard]] std::optional<PlaceEvidence> lookEverywhere(
+        const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked);
     void anchor(Match& match);
     void closeLoop(Match& match);
     [[nodiscard]] bool wantsToWrite(const Match& match, const std::string& laser) const;
@@ -115,6 +118,7 @@ class Slam
 
     Pose2 matched_at_;              ///< in map; where a scan last fitted
     std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not
+    int doubted_scans_ = 0;         ///< in a row
     Points points_vehicle_;         ///< of the scan in work
     Points points_turned_;          ///< the same, with map axes, seen from the vehicle
     LocalReference local_;          ///< what scans are matched against

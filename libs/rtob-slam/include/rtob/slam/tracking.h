@@ -13,7 +13,7 @@ enum class TrackingState
 {
     Init,         ///< no usable scan yet
     Tracking,     ///< matched
-    Degraded,     ///< the match is weak: the prediction holds, nothing is written
+    Degraded,     ///< the match is weak or in doubt: nothing is written
     Lost,         ///< weak for too long: nothing is written
     Relocalising  ///< a place in the map was found and is being confirmed
 };
@@ -32,7 +32,7 @@ struct TrackingOptions
 {
     int lost_after = 4;
     int confirm_after = 3;
-    double min_agreement = 0.8;
+    double min_agreement = 0.9;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -43,8 +43,9 @@ struct TrackingOptions
             "good scans in a row until found again, where [Relocalise] is not enabled; >= 1");
         visit(
             "min_agreement", s.min_agreement,
-            "share of a scan that must agree with the last one tracked, as far as they see the "
-            "same; else the vehicle may have been carried away; 0: not looked at; [0, 1)");
+            "share of a scan that does not fit where it was expected that must agree with the last "
+            "one, as far as they see the same; else nothing is written until [Relocalise] finds no "
+            "better place; 0: not looked at; [0, 1)");
     }
     void validate() const;
 };
@@ -59,6 +60,8 @@ class TrackingStateMachine
     TrackingState next(FitVerdict verdict);
     /// The first usable scan has started the map, or the place was found.
     void start();
+    /// The scan fits, yet it may come from a place that looks the same.
+    void doubt() { state_ = TrackingState::Degraded; }
     /// The place is not known, or there are places that wait to be confirmed.
     void lose(bool has_candidates = false);
 
