@@ -25,15 +25,6 @@ Cloud::Ptr cloud_of(const Points& points)
     for (std::size_t i = 0; i < points.size(); ++i) cloud->push_back({points.x[i], points.y[i], 0});
     return cloud;
 }
-
-RtobMapOptions map_options(const SlamOptions& options)
-{
-    RtobMapOptions map;
-    map.density = options.density;
-    map.draw = options.draw;
-    map.seed = options.seed;
-    return map;
-}
 }  // namespace
 
 PclVariant::PclVariant(const SlamOptions& options)
