@@ -118,6 +118,28 @@ inline std::vector<std::size_t> near_path(
     return numbers;
 }
 
+/// What even a stop at once may come too near to is not to be approached: the vehicle may still
+/// stop short of it.
+inline std::string approach(
+    const GuardSituation& situation, const GuardAnswer& answer, const VehicleBehaviour& behaviour)
+{
+    const Eigen::Vector2d& command = answer.decision.velocity_vehicle;
+    if (command.isZero()) return {};
+    // So that rounding decides nothing.
+    const double near_m = std::max(0.0, situation.limits.clearance() - 1e-3);
+    const auto path = stopping_path(situation, answer, {0, 0}, behaviour);
+    for (const std::size_t k : near_path(answer.obstacles, path, near_m))
+        for (const auto& place : path)
+        {
+            const Eigen::Vector2d& obstacle = answer.obstacles[k];
+            if ((obstacle - place).squaredNorm() >= near_m * near_m) continue;
+            if (command.dot(obstacle) <= 1e-4) break;
+            return "command " + text_of(command) + " leads towards the obstacle at " +
+                   text_of(obstacle) + ", which a stop at once is not sure to keep clear of";
+        }
+    return {};
+}
+
 /// What is wrong with the guard's answer to a situation; empty when nothing is.
 inline std::string complaint(
     const GuardSituation& situation, const GuardAnswer& answer, std::uint64_t seed)
@@ -140,6 +162,8 @@ inline std::string complaint(
     {
         const auto behaviour =
             drawn_behaviour(situation.limits, answer.earlier_commands.size() + 2, random);
+        if (const std::string wrong = approach(situation, answer, behaviour); !wrong.empty())
+            return wrong;
         const auto path = stopping_path(situation, answer, command, behaviour);
         const auto numbers = near_path(answer.obstacles, path, keep_m);
         const double near_m = std::max(0.0, keep_m - step_m);

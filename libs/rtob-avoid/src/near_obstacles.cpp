@@ -89,10 +89,11 @@ void NearObstacles::addThoseIn(const ConvexArea& area, const NearObstacles& othe
     others.forEachIn(area, [&](std::size_t i) { return add(others.at(i)), true; });
 }
 
-void NearObstacles::excuse(const ConvexArea& area)
+void NearObstacles::excuse(const ConvexArea& area, NearObstacles& excused)
 {
     const auto excuse_one = [&](std::size_t i)
     {
+        excused.add(at(i));
         const double distance_m = std::sqrt(area.squaredDistance(at(i).place_vehicle));
         keep_m_[i] = static_cast<float>(distance_m - kRounding_m);
         return true;
@@ -105,5 +106,14 @@ bool NearObstacles::anyIsIn(const ConvexArea& area) const
     bool any = false;
     forEachIn(area, [&](std::size_t) { return !(any = true); });
     return any;
+}
+
+bool NearObstacles::anyIsAhead(const Eigen::Vector2d& direction) const
+{
+    const auto x_ahead = static_cast<float>(direction.x());
+    const auto y_ahead = static_cast<float>(direction.y());
+    int ahead = 0;  // counted to the end, several at a time
+    for (std::size_t i = 0; i < size_; ++i) ahead += x_ahead * x_m_[i] + y_ahead * y_m_[i] > 0;
+    return ahead > 0;
 }
 }  // namespace rtob

@@ -63,7 +63,8 @@ VelocityGuard::VelocityGuard(const VehicleLimits& vehicle, const GuardOptions& o
       stopping_(vehicle),
       guidance_(options),
       obstacles_(static_cast<std::size_t>(options.memory_points) + kScanPoints),
-      at_risk_(static_cast<std::size_t>(options.memory_points) + kScanPoints)
+      at_risk_(static_cast<std::size_t>(options.memory_points) + kScanPoints),
+      uncleared_(static_cast<std::size_t>(options.memory_points) + kScanPoints)
 {
 }
 
@@ -171,9 +172,10 @@ double VelocityGuard::rememberedKeep() const
     return vehicle_.clearance() + (usesMemory() ? options_.pose_sigmas * pose_sigma_m_ : 0);
 }
 
-/// Those that a way of this length may come too near to. An obstacle that comes nearer than it
+/// Those that a way of this length may come too near to. An obstacle that may come nearer than it
 /// should even if the vehicle stops at once must not come nearer than that; so stopping is always
-/// allowed, and so is getting away.
+/// allowed. It may also do better than that, and short of the obstacle: so no command leads on
+/// towards it.
 void VelocityGuard::gatherObstacles(double way_m)
 {
     obstacles_.clear();
@@ -187,13 +189,22 @@ void VelocityGuard::gatherObstacles(double way_m)
         obstacles_.add(
             memory_.points_map(), compose(pose_vehicle_picture, inverse(*pose_map_picture_)),
             rememberedKeep(), reach_m);
-    obstacles_.excuse(stopping_.of(Vector2d::Zero()));
+    uncleared_.clear();
+    obstacles_.excuse(stopping_.of(Vector2d::Zero()), uncleared_);
 }
 
 bool VelocityGuard::isUnknown(double bearing_rad) const
 {
     const double body_rad = std::asin(vehicle_.radius_m / (vehicle_.clearance() + kSeenAround_m));
     return picture_.isUnknown(bearing_rad + pose_picture_vehicle_.yaw, body_rad);
+}
+
+/// Whether no way that is to be compared with others may lead there.
+bool VelocityGuard::isClosed(double bearing_rad) const
+{
+    if (options_.unknown == UnknownPolicy::Block && isUnknown(bearing_rad)) return true;
+    return uncleared_.size() > 0 &&
+           uncleared_.anyIsAhead({std::cos(bearing_rad), std::sin(bearing_rad)});
 }
 
 bool VelocityGuard::isSafe(const Vector2d& command) const
@@ -225,8 +236,7 @@ VelocityGuard::Way VelocityGuard::bestWay(const Vector2d& wish_vehicle)
     if (straight.velocity_vehicle == wish_vehicle) return straight;
     const double bend_rad = guidance_.bend(
         obstacles_, bearing_of(wish_vehicle),
-        [&](double bearing_rad)
-        { return options_.unknown == UnknownPolicy::Block && isUnknown(bearing_rad); });
+        [&](double bearing_rad) { return isClosed(bearing_rad); });
     if (bend_rad == 0) return straight;
     const Way bent = fastest(asWished(wish_vehicle, bend_rad));
     const auto progress = [&](const Way& way) { return way.velocity_vehicle.dot(wish_vehicle); };
@@ -238,6 +248,11 @@ VelocityGuard::Way VelocityGuard::fastest(const Way& whole)
 {
     Way way = whole;
     if (whole.velocity_vehicle.isZero()) return way;
+    if (uncleared_.anyIsAhead(whole.velocity_vehicle))
+    {
+        way.velocity_vehicle.setZero();
+        return way;
+    }
     at_risk_.clear();
     at_risk_.addThoseIn(stopping_.ofUpTo(whole.velocity_vehicle), obstacles_);
     if (isSafe(whole.velocity_vehicle)) return way;
@@ -256,14 +271,19 @@ VelocityGuard::Way VelocityGuard::fastest(const Way& whole)
 void VelocityGuard::nameLimit(const Vector2d& wish_vehicle, GuardDecision& decision) const
 {
     double nearest_m = std::numeric_limits<double>::infinity();
-    const auto take = [&](std::size_t i)
+    const auto take = [&](const Vector2d& place)
     {
-        const Vector2d place = obstacles_.at(i).place_vehicle;
-        if (place.norm() >= nearest_m) return true;
+        if (place.norm() >= nearest_m) return;
         nearest_m = decision.limiting_distance_m = place.norm();
         decision.limiting_bearing_rad = bearing_of(place);
-        return true;
     };
-    obstacles_.forEachIn(stopping_.of(wish_vehicle), take);
+    obstacles_.forEachIn(
+        stopping_.of(wish_vehicle),
+        [&](std::size_t i) { return take(obstacles_.at(i).place_vehicle), true; });
+    for (std::size_t i = 0; i < uncleared_.size(); ++i)
+    {
+        const Vector2d place = uncleared_.at(i).place_vehicle;
+        if (place.dot(wish_vehicle) > 0) take(place);
+    }
 }
 }  // namespace rtob

@@ -66,6 +66,26 @@ TEST(VelocityGuard, LetsOutOfTheMarginButNotDeeperIn)
     EXPECT_EQ(decide(guard, {-0.5, 0.1}).velocity_vehicle, Vector2d(-0.5, 0.1));
 }
 
+// Straight ahead, or beside the way: a stop may pass it by now, but it may also end before it.
+TEST(VelocityGuard, StopsForWhatComesIntoViewTooLate)
+{
+    const VehicleMotion fast = flying(1.9, 0);  // 2.47 m to stop in
+    for (const double left_m : {0.0, 0.2, -0.4})
+    {
+        VelocityGuard guard;
+        static_cast<void>(guard.decide(0, {0, 0}, fast));
+        const Room post({{1.2, left_m - 0.02, 1.2, left_m + 0.02}, {-3, -3, -3, 3}});
+        const RoomScan seen(post, {}, 0);
+        guard.observe(seen.scan, known_pose(0, {}));
+        const GuardDecision decision = guard.decide(0.05, {1.9, 0}, fast);
+        EXPECT_EQ(decision.reason, GuardReason::Blocked) << left_m;
+        EXPECT_TRUE(decision.velocity_vehicle.isZero()) << left_m;
+        const Vector2d seen_vehicle(1.2 - 0.05 * 1.9, left_m);
+        EXPECT_NEAR(decision.limiting_distance_m, seen_vehicle.norm(), 0.03) << left_m;
+        EXPECT_EQ(guard.decide(0.1, {-0.5, 0}, fast).velocity_vehicle, Vector2d(-0.5, 0)) << left_m;
+    }
+}
+
 TEST(VelocityGuard, BendsAlongAWall)
 {
     auto guard = guard_in(square_room(), {1.37, 0, 0});

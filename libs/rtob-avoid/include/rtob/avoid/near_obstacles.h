@@ -35,7 +35,8 @@ class NearObstacles
     void addThoseIn(const ConvexArea& area, const NearObstacles& others);
 
     /// What comes nearer to an area than it should must come no nearer than that.
-    void excuse(const ConvexArea& area);
+    /// @param excused gets all of those, too
+    void excuse(const ConvexArea& area, NearObstacles& excused);
 
     /// Calls take(i) for the numbers of those that lie nearer to an area than they should, until it
     /// says false.
@@ -52,6 +53,8 @@ class NearObstacles
         }
     }
     [[nodiscard]] bool anyIsIn(const ConvexArea& area) const;
+    /// Whether setting out in this direction brings the vehicle nearer to any of them.
+    [[nodiscard]] bool anyIsAhead(const Eigen::Vector2d& direction) const;
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] NearObstacle at(std::size_t i) const { return {{x_m_[i], y_m_[i]}, keep_m_[i]}; }

@@ -91,6 +91,7 @@ class VelocityGuard
     void gatherObstacles(double way_m);
     void setActing(const VehicleMotion& motion, double now_s);
     [[nodiscard]] bool isUnknown(double bearing_rad) const;
+    [[nodiscard]] bool isClosed(double bearing_rad) const;
     /// As far as the obstacles at risk know.
     [[nodiscard]] bool isSafe(const Eigen::Vector2d& command) const;
     [[nodiscard]] Way asWished(const Eigen::Vector2d& wish_vehicle, double bend_rad) const;
@@ -110,6 +111,7 @@ class VelocityGuard
     Guidance guidance_;
     NearObstacles obstacles_;     ///< all that may matter for this decision
     NearObstacles at_risk_;       ///< those that matter for one way
+    NearObstacles uncleared_;     ///< those that a stop at once is not sure to keep clear of
     Pose2 pose_picture_vehicle_;  ///< the vehicle now, seen from where it was at the picture's time
 };
 }  // namespace rtob
