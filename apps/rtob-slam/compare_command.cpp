@@ -123,7 +123,7 @@ CompareJob job_of(const CompareFlags& flags, std::size_t index)
     if (!flags.time_limit.empty())
         job.time_limit_s =
             minute_s * static_cast<double>(positive("--time-limit", flags.time_limit));
-    const RunConfig config = load_run_config(job.config_file, flags_of(job.sets));
+    const RunConfig config = load_run_config(job.config_file, parse_set_flags(job.sets));
     job.limits.use_odometry = config.run.use_odometry;
     job.choice = {flags.densities, flags.mrpt_files, flags.variants};
     if (job.choice.densities.empty())

@@ -25,10 +25,8 @@ constexpr const char* footer =
 
 int run(const EndureFlags& flags)
 {
-    std::vector<OptionFlag> options;
-    for (const auto& set : flags.sets) options.push_back(parse_set_flag(set));
     EnduranceJob job = flags.job;
-    job.slam = load_run_config(flags.config_file, options).slam;
+    job.slam = load_run_config(flags.config_file, parse_set_flags(flags.sets)).slam;
     std::cout << endurance_header() << std::flush;
     endure(
         job, [](const EnduranceBlock& block) { std::cout << endurance_line(block) << std::flush; });

@@ -29,9 +29,7 @@ constexpr const char* footer =
 
 int run(const RecoveryFlags& flags)
 {
-    std::vector<OptionFlag> options;
-    for (const auto& set : flags.sets) options.push_back(parse_set_flag(set));
-    const SlamOptions slam = load_run_config(flags.config_file, options).slam;
+    const SlamOptions slam = load_run_config(flags.config_file, parse_set_flags(flags.sets)).slam;
     const DrivenLog driven = drive_log(flags.log, slam, flags.first);
     std::cout << flags.log << ": " << driven.scans.size() << " scans tracked; map of "
               << driven.map.scans().size() << " scans, " << driven.map.size() << " points\n";

@@ -51,8 +51,7 @@ std::uint64_t count_of(const char* flag, const std::string& text)
 
 std::vector<OptionFlag> option_flags(const RunFlags& flags)
 {
-    std::vector<OptionFlag> options;
-    for (const auto& set : flags.sets) options.push_back(parse_set_flag(set));
+    auto options = parse_set_flags(flags.sets);
     if (!flags.seed.empty()) options.push_back({"--seed", "Run", "seed", flags.seed});
     if (!flags.density.empty())
         options.push_back({"--density", "Density", "density", flags.density});

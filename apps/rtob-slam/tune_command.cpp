@@ -36,8 +36,7 @@ constexpr const char* footer =
 int tune_with(TuneFlags flags)
 {
     auto& job = flags.job;
-    std::vector<OptionFlag> options;
-    for (const auto& set : flags.sets) options.push_back(parse_set_flag(set));
+    auto options = parse_set_flags(flags.sets);
     if (flags.no_odometry) options.push_back({"--no-odometry", "Run", "use_odometry", "false"});
     job.config = load_run_config(flags.config_file, options);
     if (job.folder.empty())

@@ -140,7 +140,7 @@ Comparison do_compare(const CompareJob& job, const std::function<void(const std:
 {
     const OutputFolder folder(job.folder, job.may_overwrite);
     const Truth truth = job.truth.empty() ? Truth() : Truth(job.truth);
-    const RunConfig config = load_run_config(job.config_file, flags_of(job.sets));
+    const RunConfig config = load_run_config(job.config_file, parse_set_flags(job.sets));
     const LogSurvey survey = survey_log(job.log, config, job.limits);
     truth.checkTimes(survey.scans);  // before the long runs
     const auto specs = chosen_variants(job.choice);

@@ -63,16 +63,9 @@ VariantJob read_job(const std::string& file)
     return job;
 }
 
-std::vector<OptionFlag> flags_of(const std::vector<std::string>& sets)
-{
-    std::vector<OptionFlag> flags;
-    for (const auto& set : sets) flags.push_back(parse_set_flag(set));
-    return flags;
-}
-
 RunConfig config_of(const VariantJob& job)
 {
-    auto flags = flags_of(job.sets);
+    auto flags = parse_set_flags(job.sets);
     flags.push_back({"--seed", "Run", "seed", std::to_string(job.seed)});
     if (!job.density.empty()) flags.push_back({"--density", "Density", "density", job.density});
     return load_run_config(job.config_file, flags);

@@ -63,9 +63,6 @@ struct VariantJob
 void write_job(const std::string& file, const VariantJob& job);
 [[nodiscard]] VariantJob read_job(const std::string& file);
 
-/// The --set flags as options.
-[[nodiscard]] std::vector<OptionFlag> flags_of(const std::vector<std::string>& sets);
-
 /// The configuration of RTOB behind a job, its density and seed in it.
 [[nodiscard]] RunConfig config_of(const VariantJob& job);
 }  // namespace rtob

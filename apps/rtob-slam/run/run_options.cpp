@@ -91,6 +91,13 @@ OptionFlag parse_set_flag(const std::string& text)
         text.substr(equals + 1)};
 }
 
+std::vector<OptionFlag> parse_set_flags(const std::vector<std::string>& texts)
+{
+    std::vector<OptionFlag> flags;
+    for (const auto& text : texts) flags.push_back(parse_set_flag(text));
+    return flags;
+}
+
 RunConfig load_run_config(const std::string& file, const std::vector<OptionFlag>& flags)
 {
     RunConfig config;

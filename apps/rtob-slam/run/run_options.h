@@ -56,6 +56,7 @@ struct OptionFlag
 
 /// "Section.key=value". Throws UsageError for another form.
 [[nodiscard]] OptionFlag parse_set_flag(const std::string& text);
+[[nodiscard]] std::vector<OptionFlag> parse_set_flags(const std::vector<std::string>& texts);
 
 /// Defaults, then the file's values (an empty name: no file), then the flags'. Throws
 /// std::runtime_error that names the file, section and key, or UsageError that names the flag.
