@@ -73,8 +73,7 @@ void Continuity::tracked(
 {
     laser_ = laser;
     tracked_at_ = pose_map_vehicle;
-    tracked_vehicle_.x.assign(points_vehicle.x.begin(), points_vehicle.x.end());
-    tracked_vehicle_.y.assign(points_vehicle.y.begin(), points_vehicle.y.end());
+    tracked_vehicle_ = points_vehicle;
 }
 
 double Continuity::agreement(
