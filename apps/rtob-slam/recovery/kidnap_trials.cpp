@@ -88,18 +88,13 @@ class Trial
             trial_.lost_after = scan;
         }
         if (report.state != TrackingState::Tracking) return;
-        const bool is_right = truth == nullptr || isRight(report.pose_map_vehicle, *truth);
+        const bool is_right =
+            truth == nullptr || is_near(report.pose_map_vehicle, *truth, kWrong_m, kWrong_rad);
         if (!is_right) ++trial_.tracking_wrong;
         if (!has_lost_ || truth == nullptr) return;
         has_found_ = true;
         trial_.found_after = scan_after;
         trial_.is_false_accept = !is_right;
-    }
-
-    static bool isRight(const Pose2& pose, const Pose2& truth)
-    {
-        const Pose2 error = between(truth, pose);
-        return std::hypot(error.x, error.y) < kWrong_m && std::abs(error.yaw) < kWrong_rad;
     }
 
     const DrivenLog& driven_;

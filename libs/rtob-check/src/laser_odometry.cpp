@@ -34,12 +34,6 @@ IcpOptions icp_options()
     return options;
 }
 
-bool is_near(const Pose2& a, const Pose2& b, double distance_m, double turn_rad)
-{
-    return std::hypot(a.x - b.x, a.y - b.y) < distance_m &&
-           std::abs(wrap_angle(a.yaw - b.yaw)) < turn_rad;
-}
-
 bool is_usable(const IcpResult& fit)
 {
     return fit.pairs >= kMinPairs && fit.paired_share >= kLeastShare;

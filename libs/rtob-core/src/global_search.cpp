@@ -19,12 +19,6 @@ constexpr int kLeaf = 1;  // two cells: ICP's reach is larger
 constexpr double kRivalShare = 0.75;
 // Nearer places are the same.
 constexpr double kSame_m = 0.5, kSame_rad = 0.26;
-
-bool is_same_place(const Pose2& a, const Pose2& b)
-{
-    return std::hypot(a.x - b.x, a.y - b.y) < kSame_m &&
-           std::abs(wrap_angle(a.yaw - b.yaw)) < kSame_rad;
-}
 }  // namespace
 
 void GlobalSearch::begin(
@@ -168,17 +162,13 @@ void GlobalSearch::keep(const MapRaster& raster, const Node& leaf)
         {raster.middleX(leaf.x), raster.middleY(leaf.y),
          wrap_angle(2 * kPi * leaf.yaw / headings_)},
         leaf.score / most};
+    const auto is_the_same = [&](const PlaceCandidate& other)
+    { return is_near(other.pose_map_vehicle, found.pose_map_vehicle, kSame_m, kSame_rad); };
     for (const PlaceCandidate& other : candidates_)
-        if (other.score >= found.score &&
-            is_same_place(other.pose_map_vehicle, found.pose_map_vehicle))
-            return;
+        if (other.score >= found.score && is_the_same(other)) return;
     // Those that the new one outdoes give way, and the rest stays in order.
     candidates_.erase(
-        std::remove_if(
-            candidates_.begin(), candidates_.end(),
-            [&](const PlaceCandidate& other)
-            { return is_same_place(other.pose_map_vehicle, found.pose_map_vehicle); }),
-        candidates_.end());
+        std::remove_if(candidates_.begin(), candidates_.end(), is_the_same), candidates_.end());
     const auto place = std::find_if(
         candidates_.begin(), candidates_.end(),
         [&](const PlaceCandidate& other) { return other.score < found.score; });

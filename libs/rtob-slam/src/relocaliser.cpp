@@ -24,19 +24,9 @@ constexpr double kSame_m = 0.3, kSame_rad = 0.1;
 // corridor's two directions the odd scan takes the wrong one.
 constexpr double kCarried_m = 2.5;
 
-double distance_m(const Pose2& a, const Pose2& b)
-{
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 bool is_carried(const Pose2& from, const Pose2& to)
 {
-    return distance_m(from, to) >= kCarried_m;
-}
-
-bool is_same_place(const Pose2& a, const Pose2& b)
-{
-    return distance_m(a, b) < kSame_m && std::abs(wrap_angle(a.yaw - b.yaw)) < kSame_rad;
+    return std::hypot(from.x - to.x, from.y - to.y) >= kCarried_m;
 }
 }  // namespace
 
@@ -97,8 +87,7 @@ std::optional<PlaceEvidence> Relocaliser::take(
     const Pose2 motion = !is_under_way   ? Pose2{}
                          : pose_prev_now ? *pose_prev_now
                                          : motionTo(points_vehicle);
-    points_prev_.x.assign(points_vehicle.x.begin(), points_vehicle.x.end());
-    points_prev_.y.assign(points_vehicle.y.begin(), points_vehicle.y.end());
+    points_prev_ = points_vehicle;
     if (!places_.empty())
         follow(points_vehicle, motion);
     else if (search(points_vehicle, motion))
@@ -189,9 +178,11 @@ void Relocaliser::weed()
             place.evidence.through_share <= options_.max_through_share + kRivalSlack;
         const bool is_known = std::any_of(
             places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(kept),
-            [&](const Place& other) {
-                return is_same_place(
-                    other.evidence.pose_map_vehicle, place.evidence.pose_map_vehicle);
+            [&](const Place& other)
+            {
+                return is_near(
+                    other.evidence.pose_map_vehicle, place.evidence.pose_map_vehicle, kSame_m,
+                    kSame_rad);
             });
         if (explains && !is_known) places_[kept++] = place;
     }

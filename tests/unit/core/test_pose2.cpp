@@ -89,6 +89,15 @@ TEST(Pose2, BetweenChainsToTheSecondPose)
 // The correction C is seen from the pre-aligned position p with the map's axes. A point of the map
 // goes through p, C and back: T = Trans(p) C Trans(-p) T_init. Applied to T_init's own position,
 // Trans(-p) gives the origin, C shifts it by (x_icp, y_icp) and Trans(p) adds p: eq. 4.
+TEST(Pose2, IsNearWithinBothLimitsAndAcrossTheWrap)
+{
+    const Pose2 place{1, 2, kPi - 0.01};
+    EXPECT_TRUE(is_near(place, {1.3, 2.4, -kPi + 0.01}, 0.51, 0.03));
+    EXPECT_FALSE(is_near(place, {1.3, 2.4, -kPi + 0.01}, 0.49, 0.03));
+    EXPECT_FALSE(is_near(place, {1.3, 2.4, -kPi + 0.01}, 0.51, 0.01));
+    EXPECT_FALSE(is_near(place, place, 0, 1)) << "less than the limit";
+}
+
 TEST(ApplyCorrection, EqualsCompositionInSe2)
 {
     for (const Pose2& init : poses())

@@ -55,4 +55,12 @@ struct StampedPose2
 {
     return compose(inverse(pose_map_a), pose_map_b);
 }
+
+/// Less than this far apart, and turned by less than this against each other.
+[[nodiscard]] inline bool is_near(
+    const Pose2& a, const Pose2& b, double distance_m, double turn_rad)
+{
+    return std::hypot(a.x - b.x, a.y - b.y) < distance_m &&
+           std::abs(wrap_angle(a.yaw - b.yaw)) < turn_rad;
+}
 }  // namespace rtob
