@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <arpa/inet.h>
 #include <rtob/devices/rplidar_on_terminal.h>
 #include <rtob/drivers/byte_link.h>
 #include <rtob/drivers/mavlink_codec.h>
 #include <rtob/drivers/unix_time.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -23,6 +20,7 @@
 #include <vector>
 
 #include "house.h"
+#include "loopback_port.h"
 #include "program.h"
 #include "state_listener.h"
 
@@ -95,20 +93,6 @@ template <class PoseAt>
 [[nodiscard]] inline devices::RangeSource house_from(double begin_s)
 {
     return house_seen_from([begin_s](double time_s) { return flight_pose(time_s - begin_s); });
-}
-
-/// A UDP port of this computer that nobody has.
-[[nodiscard]] inline int free_udp_port()
-{
-    const int probe = socket(AF_INET, SOCK_DGRAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    bind(probe, reinterpret_cast<sockaddr*>(&address), size);
-    getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
-    close(probe);
-    return ntohs(address.sin_port);
 }
 
 /// A flight controller on a UDP port: it beats, tells its attitude, answers questions for the time,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -13,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "loopback_port.h"
+
 namespace rtob::test
 {
 /// Hears the state stream of rtob-onboard at a UDP port of the loopback address.
@@ -21,13 +22,7 @@ class StateListener
  public:
     StateListener()
     {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        bind(socket_, reinterpret_cast<sockaddr*>(&address), size);
-        getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size);
-        port_ = ntohs(address.sin_port);
+        port_ = bind_to_free_port(socket_);
         thread_ = std::thread([this] { live(); });
     }
     ~StateListener()
