@@ -8,7 +8,7 @@
 namespace rtob::test
 {
 inline constexpr double kRadius_m = 0.3, kMargin_m = 0.15;
-inline constexpr double kFrame_s = 0.6;  // beyond a limit: this computer's load
+inline constexpr double kLoad_s = 1.5;  // beyond a limit: what else this computer does
 
 /// Waits until something holds, for so long at most.
 template <class Holds>

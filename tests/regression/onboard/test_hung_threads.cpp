@@ -43,7 +43,7 @@ TEST_F(HungThread, TheVehicleStopsWhenNothingIsDecided)
     takeOff(-0.6);
     std::vector<float> stops_s;
     for (int i = 0; i < 5; ++i) stops_s.push_back(holdUntilItStops("guard", "Guard: STALLED"));
-    EXPECT_LT(percentile(stops_s, 1), 0.1 + kFrame_s);  // [VehicleLimits] period_s
+    EXPECT_LT(percentile(stops_s, 1), 0.1 + kLoad_s);  // [VehicleLimits] period_s
     EXPECT_GE(land()["guard"]["stalls"], 5);
     std::cout << "told to stop after " << percentile(stops_s, 0.5) << " s p50, "
               << percentile(stops_s, 1) << " s at most\n";
@@ -53,7 +53,7 @@ TEST_F(HungThread, TheVehicleStopsWhenTheLocalisationHangs)
 {
     takeOff(-0.6);
     const float stop_s = holdUntilItStops("localise", "Guard: STALE");
-    EXPECT_LT(stop_s, 0.5 + kFrame_s);  // [Guard] max_scan_age_s
+    EXPECT_LT(stop_s, 0.5 + kLoad_s);  // [Guard] max_scan_age_s
     land();
     std::cout << "told to stop after " << stop_s << " s\n";
 }
@@ -62,7 +62,7 @@ TEST_F(HungThread, TheVehicleStopsWhenTheLaserDriverHangs)
 {
     takeOff(-0.6);
     const float stop_s = holdUntilItStops("Laser", "Guard: STALE");
-    EXPECT_LT(stop_s, 0.5 + kFrame_s);  // [Guard] max_scan_age_s
+    EXPECT_LT(stop_s, 0.5 + kLoad_s);  // [Guard] max_scan_age_s
     land();
 }
 }  // namespace
