@@ -47,9 +47,10 @@ class Trial
         for (int k = 0; k < trials_.scans_after && !has_found_; ++k)
         {
             const Pose2 truth = driven_.scans[next].pose_map_vehicle;
-            if (map_checksum(slam.map()) != checksum) trial_.map_unchanged = false;
+            if (has_lost_ && map_checksum(slam.map()) != checksum) trial_.map_unchanged = false;
             watch(give(slam, next++, false), &truth, ++scan, k + 1);
         }
+        if (!has_lost_ && map_checksum(slam.map()) != checksum) trial_.map_unchanged = false;
         return trial_;
     }
 

@@ -32,7 +32,9 @@ struct KidnapTrial
     int found_after = 0;           ///< scans until TRACKING again, after the cover is gone
     bool is_false_accept = false;  ///< TRACKING again, and not where it is
     int tracking_wrong = 0;        ///< scans TRACKING at a wrong place
-    bool map_unchanged = true;     ///< from the mishap to TRACKING again, by checksum
+    /// While LOST it was as before the mishap, by checksum: what was written until then is taken
+    /// back. Of a mishap that is never noticed, whether anything was written.
+    bool map_unchanged = true;
 };
 
 /// Lets a vehicle track in the map without the scans of the trial, and carries it away or covers

@@ -200,15 +200,23 @@ std::optional<PlaceEvidence> Relocaliser::decide()
     return std::nullopt;
 }
 
-bool Relocaliser::isElsewhere(const Pose2& pose_map_tracked) const
+PlaceLead Relocaliser::leadOver(const Pose2& pose_map_tracked, double explained) const
 {
-    if (places_.empty()) return false;
-    const auto is_tracked = [&](const Place& place)
-    { return !is_carried(pose_map_tracked, place.evidence.pose_map_vehicle); };
+    if (places_.empty() || places_.front().good_in_a_row < options_.confirm_scans) return {};
     const Place& best = places_.front();
-    if (is_tracked(best) || best.good_in_a_row < options_.confirm_scans) return false;
-    const auto tracked = std::find_if(places_.begin(), places_.end(), is_tracked);
-    return tracked == places_.end() || best.strength - tracked->strength >= options_.min_lead;
+    const Pose2& pose_map_best = best.evidence.pose_map_vehicle;
+    if (is_near(pose_map_best, pose_map_tracked, kSame_m, kSame_rad)) return {};
+    double tracked = explained, second = explained;
+    for (const Place& place : places_)
+    {
+        const Pose2& pose_map_place = place.evidence.pose_map_vehicle;
+        if (is_near(pose_map_place, pose_map_tracked, kSame_m, kSame_rad))
+            tracked = std::max(tracked, place.strength);
+        if (is_carried(pose_map_best, pose_map_place)) second = std::max(second, place.strength);
+    }
+    return {
+        best.strength - tracked, best.strength - second,
+        is_carried(pose_map_best, pose_map_tracked)};
 }
 
 bool Relocaliser::hasRival(const Pose2& pose_map_tracked) const

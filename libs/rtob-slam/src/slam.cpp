@@ -55,7 +55,8 @@ Slam::Slam(const SlamOptions& options)
       continuity_(options.icp),
       relocaliser_(options.relocalise, options.icp),
       thinner_(options.map.max_points),
-      local_(options.reference)
+      local_(options.reference),
+      local_before_(options.reference)
 {
 }
 
@@ -90,7 +91,7 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     if (isDoubtful(match)) searchAround(pose_map_init, match);
     if (isFalseStart(match)) return startMap(pose_map_init, scan.sensorLabel);
     doubt(pose_map_init, scan.sensorLabel, match);
-    if (match.verdict == FitVerdict::Good && !match.is_doubted && options_.remembers() &&
+    if (match.verdict == FitVerdict::Good && options_.remembers() &&
         wantsToWrite(match, scan.sensorLabel))
     {
         anchor(match);
@@ -159,7 +160,7 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
     map_.clear();
     local_.drop();
     scans_of_map_ = 1;
-    doubted_scans_ = 0;
+    doubt_ = {};
     insertion_.clear();
     travel_ = TravelLog();
     thinner_.makeRoom(map_, travel_);
@@ -179,21 +180,19 @@ const ScanReport& Slam::settle(const Match& match)
 {
     if (match.is_elsewhere)
         tracking_.lose(true);
-    else if (match.is_doubted && is_match(match.verdict))
-        tracking_.doubt();
     else if (tracking_.state() != TrackingState::Init)
         tracking_.next(match.verdict);
-    if (tracking_.isLost()) doubted_scans_ = 0;
+    if (tracking_.isLost()) takeBackDoubted();
     report(match, tracking_.state());
     return report_;
 }
 
 void Slam::report(const Match& match, TrackingState state)
 {
-    const bool matched =
-        is_match(match.verdict) && (match.is_doubted || state == TrackingState::Tracking ||
-                                    state == TrackingState::Relocalising);
+    const bool matched = is_match(match.verdict) &&
+                         (state == TrackingState::Tracking || state == TrackingState::Relocalising);
     report_.state = state;
+    report_.doubted = doubt_.scans > 0;
     report_.verdict = match.verdict;
     report_.pose_map_vehicle = matched ? match.pose_map_vehicle : predicted();
     Eigen::Matrix3d believed = Eigen::Matrix3d::Identity();
@@ -227,12 +226,17 @@ void Slam::insert(const Match& match, const std::string& laser)
     const bool may_write =
         report_.state == TrackingState::Tracking && is_match(match.verdict) && !match.is_found;
     if (!may_write || !wantsToWrite(match, laser)) return;
-    if (thinner_.isDue(map_, points_vehicle_.size())) thinMap();
+    const bool is_doubted = doubt_.scans > 0;
+    if (thinner_.isDue(map_, points_vehicle_.size()))
+    {
+        if (is_doubted) return;  // a thinned map could not be taken back
+        keepOnly(thinner_.choose(map_.scans()));
+    }
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(laser, report_.map_time_s, report_.pose_map_vehicle);
     travel_.inserted(report_.pose_map_vehicle);
     belief_.inserted();
-    relocaliser_.forgetMap();
+    if (!is_doubted) relocaliser_.forgetMap();
     report_.inserted = true;
 }
 }  // namespace rtob

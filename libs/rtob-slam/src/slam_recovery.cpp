@@ -3,21 +3,31 @@
 #include "step_timer.h"
 
 #include <rtob/slam/slam.h>
+#include <rtob/slam/turned_points.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace rtob
 {
 namespace
 {
-// A vehicle that is carried away seldom fits nearer than this to where it was expected. Less would
-// see more of them, but without odometry nobody knows when a turn begins, and wheels slip: with
-// 0.08 m and 0.08 rad runs of Intel without odometry and of Killian went astray.
-constexpr double kJump_m = 0.3, kJump_rad = 0.3;
+// A vehicle that was carried away seldom fits nearer than this to where it was expected.
+constexpr double kJump_m = 0.05, kJump_rad = 0.05;
 // By this share of the way from the last scan a drive may be expected wrongly.
 constexpr double kJumpShare = 0.5;
-// Nor does it find that much of what it sees in the map where it is not.
-constexpr double kSureShare = 0.93;
+// It was, where another place explains the scans better by this much,
+constexpr double kLeastLead = 0.15;
+// and leads all others by this much; what of the first scan did not agree with the one before
+// counts so often. (Shares of points, summed over the scans.)
+constexpr double kElsewhere = 0.9, kBreakWeight = 5;
+// Not where the tracked place explains so much of the newest scan.
+constexpr double kExplained = 0.9;
+// Where less than this agrees, any better place will do: the vehicle is not where it is tracked.
+constexpr double kBroken = 0.6;
+// A place that has stood for so many scans stands.
+constexpr int kStands_scans = 6;
 
 /// @param last where the vehicle was, @param expected where it should be, @param found where it
 /// fits
@@ -59,52 +69,89 @@ void Slam::reset(const Pose2& pose_map_vehicle)
     local_.drop();
     continuity_.clear();
     relocaliser_.restart();
-    doubted_scans_ = 0;
+    doubt_ = {};
     report_.pose_map_vehicle = pose_map_vehicle;
 }
 
-void Slam::thinMap()
+/// @param keep one entry a scan: 0 to forget it
+void Slam::keepOnly(const std::vector<char>& keep)
 {
-    const std::vector<char>& keep = thinner_.choose(map_.scans());
     map_.keepOnly(keep);
     travel_.keepOnly(keep);
     local_.drop();
 }
 
 /// A scan may fit the map and yet not follow the last one: the vehicle may have been carried into a
-/// place like its own. Then nothing is written until the place has stood against all others.
+/// place like its own. Then the place has to stand against all others. Until it has, tracking goes
+/// on as ever, and should it turn out to be elsewhere, what was written meanwhile is taken back.
 void Slam::doubt(const Pose2& pose_map_init, const std::string& laser, Match& match)
 {
-    const double least = options_.tracking.min_agreement;
-    if (least == 0 || !relocaliser_.enabled()) return;
+    if (options_.tracking.min_agreement == 0 || !relocaliser_.enabled()) return;
     if (!Relocaliser::tellsPlaces(points_vehicle_)) match.verdict = FitVerdict::Weak;
-    if (doubted_scans_ == 0)
-    {
-        const StepTimer timer(report_.times.align_s);
-        if (!is_match(match.verdict) ||
-            !is_jump(prealignment_.last(), pose_map_init, match.pose_map_vehicle) ||
-            continuity_.agreement(laser, match.pose_map_vehicle, points_vehicle_) >= least)
-            return;
-        relocaliser_.restart();
-    }
-    ++doubted_scans_;
-    match.is_doubted = true;
-    if (!is_match(match.verdict))
-    {
-        (void)lookEverywhere(pose_map_init, std::nullopt);
-        return;
-    }
+    if (doubt_.scans == 0 && !beginsDoubt(pose_map_init, laser, match)) return;
+    ++doubt_.scans;
     const Pose2& tracked = match.pose_map_vehicle;
-    const auto found = lookEverywhere(pose_map_init, tracked);
-    match.is_elsewhere = match.fit.known_share < kSureShare && relocaliser_.isElsewhere(tracked);
-    // Where nothing decides, the vehicle has more likely driven than been carried.
-    const bool is_alone =
-        doubted_scans_ >= options_.relocalise.max_scans / 2 && !relocaliser_.hasRival(tracked);
-    const bool has_stood = found || is_alone || doubted_scans_ >= options_.relocalise.max_scans;
+    const bool is_tracked = is_match(match.verdict);
+    (void)lookEverywhere(pose_map_init, is_tracked ? std::optional(tracked) : std::nullopt);
+    const double explained = is_tracked ? explainedBefore(tracked) : match.fit.known_share;
+    const int followed = relocaliser_.scansFollowed();
+    doubt_.explained = followed > 1 ? doubt_.explained + explained : explained;
+    if (!is_tracked) return;  // LOST, if it goes on
+    match.is_elsewhere = isElsewhere(tracked, explained);
+    const bool has_stood =
+        followed >= kStands_scans || doubt_.scans >= options_.relocalise.max_scans ||
+        (followed >= options_.relocalise.confirm_scans && !relocaliser_.hasRival(tracked));
     if (match.is_elsewhere || !has_stood) return;
+    doubt_ = {};
     relocaliser_.restart();
-    match.is_doubted = false;
-    doubted_scans_ = 0;
+    relocaliser_.forgetMap();  // which has grown since
+}
+
+bool Slam::beginsDoubt(const Pose2& pose_map_init, const std::string& laser, const Match& match)
+{
+    const StepTimer timer(report_.times.align_s);
+    if (!is_match(match.verdict) ||
+        !is_jump(prealignment_.last(), pose_map_init, match.pose_map_vehicle))
+        return false;
+    const double agreement = continuity_.agreement(laser, match.pose_map_vehicle, points_vehicle_);
+    if (agreement >= options_.tracking.min_agreement) return false;
+    doubt_ = {0, agreement, 0, map_.scans().size()};
+    local_before_ = local_;
+    relocaliser_.restart();
+    return true;
+}
+
+/// [0, 1] of the scan, by what was drawn before the doubt: what was written since explains itself.
+double Slam::explainedBefore(const Pose2& pose_map_vehicle)
+{
+    const StepTimer timer(report_.times.align_s);
+    turn_points(pose_map_vehicle, points_vehicle_.view(), points_turned_);
+    return local_before_.align(icp_, points_turned_.view(), pose_map_vehicle).known_share;
+}
+
+/// @param explained share of the newest scan, at the tracked place
+bool Slam::isElsewhere(const Pose2& pose_map_tracked, double explained) const
+{
+    const PlaceLead lead = relocaliser_.leadOver(pose_map_tracked, doubt_.explained);
+    if (lead.over_tracked < kLeastLead) return false;
+    if (doubt_.agreement < kBroken) return true;
+    const double missing = options_.tracking.min_agreement - doubt_.agreement;
+    return explained < kExplained && lead.is_far &&
+           lead.over_all + kBreakWeight * missing >= kElsewhere;
+}
+
+/// The vehicle was not where the scans of the doubt were written.
+void Slam::takeBackDoubted()
+{
+    const bool has_written = doubt_.scans > 0 && map_.scans().size() > doubt_.scans_before;
+    if (has_written)
+    {
+        std::vector<char> keep(map_.scans().size(), 0);
+        std::fill_n(keep.begin(), doubt_.scans_before, 1);
+        keepOnly(keep);
+        insertion_.clear();
+    }
+    doubt_ = {};
 }
 
 /// A step of the search through the whole map.

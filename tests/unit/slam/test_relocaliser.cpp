@@ -87,34 +87,45 @@ TEST(Relocaliser, FindsItWithLittleWorkAScan)
     }
 }
 
-/// Follows it so, with a place that is claimed for it. @return scans until it is said to be
-/// elsewhere, or 0
-int scans_until_elsewhere(const Pose2& pose_first_claimed)
+/// Follows it for so many scans, with a place that is claimed for it and explains this share of
+/// each.
+PlaceLead lead_over(const Pose2& pose_first_claimed, double explained_share, int scans)
 {
     const RtobMap map = map_of_the_house();
     Relocaliser relocaliser({}, {});
-    for (int k = 0; k < 8; ++k)
+    Pose2 tracked;
+    for (int k = 0; k < scans; ++k)
     {
-        const Pose2 tracked = compose(
+        tracked = compose(
             pose_first_claimed, between(test::pose_in_house(60), test::pose_in_house(60 + k)));
         (void)relocaliser.take(
             map.view(), test::house().scan_vehicle(test::pose_in_house(60 + k)), std::nullopt,
             tracked);
-        if (relocaliser.isElsewhere(tracked)) return k + 1;
     }
-    return 0;
+    EXPECT_GT(relocaliser.scansFollowed(), 0);
+    return relocaliser.leadOver(tracked, explained_share * relocaliser.scansFollowed());
 }
 
 TEST(Relocaliser, ATrackedPlaceStandsAgainstAllOthersWhereItIsRight)
 {
-    EXPECT_EQ(scans_until_elsewhere(test::pose_in_house(60)), 0);
+    const PlaceLead lead = lead_over(test::pose_in_house(60), 0.5, 6);
+    EXPECT_EQ(lead.over_tracked, 0) << "the best place is the tracked one";
+    EXPECT_EQ(lead.over_all, 0);
+    EXPECT_FALSE(lead.is_far);
 }
 
 TEST(Relocaliser, ATrackedPlaceFallsWhereItIsWrong)
 {
-    const int scans = scans_until_elsewhere(test::pose_in_house(260));  // in the other room
-    EXPECT_GE(scans, 2);
-    EXPECT_LE(scans, 4);
+    const Pose2 other_room = test::pose_in_house(260);
+    EXPECT_EQ(lead_over(other_room, 0.6, 2).over_tracked, 0) << "not confirmed yet";
+    const PlaceLead lead = lead_over(other_room, 0.6, 5);
+    EXPECT_GT(lead.over_tracked, 3 * 0.3);  // the right place explains nearly all of each scan
+    EXPECT_LE(lead.over_tracked, 5 * 0.4);
+    EXPECT_GT(lead.over_all, 0);
+    EXPECT_LE(lead.over_all, lead.over_tracked);
+    EXPECT_TRUE(lead.is_far);
+    // Where the tracked place explains as much, there is no lead.
+    EXPECT_LE(lead_over(other_room, 1, 5).over_tracked, 0);
 }
 
 /// A room that looks the same after half a turn. Its walls lie in the middle of raster cells: on

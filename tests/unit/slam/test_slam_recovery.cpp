@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map that was made before, being lost in it, and being found again.
 #include <gmock/gmock.h>
-#include <mrpt/obs/CObservationOdometry.h>
 #include <rtob/slam/map_file.h>
 #include <rtob/slam/slam.h>
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "house.h"
 #include "near_pose.h"
+#include "room_mrpt.h"
 
 namespace rtob
 {
@@ -96,36 +97,100 @@ TEST(SlamRecovery, CarriedAwayItIsLostWithinFiveScansAndFoundAgain)
     EXPECT_EQ(map_checksum(slam.map()), before);
 }
 
-/// The scans of seconds are missing, in which the vehicle, with odometry, drove into the other
-/// room: what it sees does not follow what it saw, yet it is where it is thought to be.
-TEST(SlamRecovery, AGapInTheScansIsNoKidnapping)
+/// A room that begins at this x; two of them look the same but for what stands in them.
+test::Room room_at(double x0, bool has_pillars)
 {
-    Slam slam;
-    slam.continueIn(house_map(), test::pose_in_house_map(20));
-    const auto take = [&slam](int k)
+    std::vector<test::Wall> walls{{x0, 0, x0 + 6, 0}, {x0 + 6, 0, x0 + 6, 4},
+                                  {x0 + 6, 4, x0, 4}, {x0, 4, x0, 0},
+                                  {x0, 3, x0 + 1, 3}, {x0 + 1, 3, x0 + 1, 4}};
+    if (has_pillars)
     {
-        mrpt::obs::CObservationOdometry odometry;
-        const Pose2 pose = test::pose_in_house(k);
-        const double slip_m = k < 100 ? 0 : 0.12;  // of the wheels, in the gap
-        odometry.odometry = {pose.x + slip_m, pose.y, pose.yaw};
-        slam.observe(odometry);
-        return slam.process(test::scan_in_house(k));
-    };
-    for (int k = 20; k < 40; ++k) take(k);
-    ASSERT_EQ(slam.state(), TrackingState::Tracking);
-    const auto before = map_checksum(slam.map());
-    int doubted = 0;
-    for (int k = 140; k < 160; ++k)
-    {
-        const auto report = take(k);
-        ASSERT_THAT(report.pose_map_vehicle, IsNearPose(test::pose_in_house_map(k), 0.05, 0.02));
-        if (report.state == TrackingState::Tracking) continue;
-        EXPECT_EQ(report.state, TrackingState::Degraded) << k;
-        EXPECT_EQ(map_checksum(slam.map()), before) << k;
-        ++doubted;
+        test::add_circle(walls, x0 + 4, 0.8, 0.4);
+        test::add_circle(walls, x0 + 2.5, 3.2, 0.4);
     }
-    EXPECT_LE(doubted, 4);
-    EXPECT_EQ(slam.state(), TrackingState::Tracking);
+    return test::Room(walls);
+}
+
+constexpr double kOtherRoom_m = 20;
+
+Pose2 pose_in_room(double x0, int scan)
+{
+    return {x0 + 2 + 0.05 * scan, 1.8, 0.3};
+}
+
+/// The first room is bare; the second has pillars.
+RtobMap map_of_rooms(bool has_second)
+{
+    RtobMap map;
+    for (const double x0 : {0.0, kOtherRoom_m})
+        for (int scan = 0; scan < 40 && (x0 == 0 || has_second); scan += 4)
+            map.insertScan(
+                map.tick(0.1 * scan), pose_in_room(x0, scan),
+                room_at(x0, x0 > 0).scan_vehicle(pose_in_room(x0, scan)).view());
+    return map;
+}
+
+/// Drives in the first room, and then sees pillars, after a step that nobody foresaw.
+/// @return the reports from then on, until it is lost
+std::vector<ScanReport> see_pillars(Slam& slam, bool has_second)
+{
+    slam.continueIn(map_of_rooms(has_second), pose_in_room(0, 0));
+    const auto take = [&slam](const test::Room& room, const Pose2& pose, int scan) {
+        return slam.process(
+            test::scan_observation(room, pose, 1000 + 0.1 * scan, test::mrpt_laser()));
+    };
+    for (int scan = 0; scan < 10; ++scan)
+        EXPECT_EQ(
+            take(room_at(0, false), pose_in_room(0, scan), scan).state, TrackingState::Tracking);
+    std::vector<ScanReport> reports;
+    for (int scan = 10; scan < 20; ++scan)
+    {
+        const Pose2 pose = compose(pose_in_room(0, scan), {0.15, 0.1, 0.1});
+        reports.push_back(take(room_at(0, true), pose, scan));
+        if (reports.back().state != TrackingState::Tracking) break;
+    }
+    return reports;
+}
+
+/// They stand in the other room, so the vehicle was carried there.
+TEST(SlamRecovery, WhatWasWrittenInDoubtIsTakenBack)
+{
+    SlamOptions trusting;
+    trusting.tracking.min_agreement = 0;
+    Slam slam, slam_trusting(trusting);
+    const auto reports = see_pillars(slam, true), believed = see_pillars(slam_trusting, true);
+    EXPECT_EQ(slam.state(), TrackingState::Relocalising);
+    EXPECT_LE(reports.size(), 5u);
+    EXPECT_EQ(believed.back().state, TrackingState::Tracking) << "it does fit where it is not";
+    const auto written = std::count_if(
+        reports.begin(), reports.end(), [](const auto& report) { return report.inserted; });
+    EXPECT_GT(written, 0);
+    for (const ScanReport& report : reports) EXPECT_EQ(report.doubted, &report != &reports.back());
+    // What the map has are the scans of the first room.
+    const auto& scans = slam.map().scans();
+    ASSERT_GT(scans.size(), map_of_rooms(true).scans().size());
+    const double last_s = reports.front().map_time_s;
+    EXPECT_LT(scans.time(scans.size() - 1), last_s);
+    EXPECT_GT(slam_trusting.map().scans().size(), scans.size());
+}
+
+/// They were put into the room: no other place looks like that. The doubt changes nothing, to the
+/// last bit.
+TEST(SlamRecovery, ADoubtThatIsDispelledChangesNothing)
+{
+    SlamOptions trusting;
+    trusting.tracking.min_agreement = 0;
+    Slam slam, slam_trusting(trusting);
+    const auto reports = see_pillars(slam, false), expected = see_pillars(slam_trusting, false);
+    ASSERT_EQ(reports.size(), expected.size());
+    EXPECT_TRUE(reports.front().doubted);
+    EXPECT_FALSE(reports.back().doubted);
+    for (std::size_t i = 0; i < reports.size(); ++i)
+    {
+        EXPECT_EQ(reports[i].state, TrackingState::Tracking) << i;
+        EXPECT_THAT(reports[i].pose_map_vehicle, IsNearPose(expected[i].pose_map_vehicle, 0, 0));
+    }
+    EXPECT_EQ(map_checksum(slam.map()), map_checksum(slam_trusting.map()));
 }
 
 TEST(SlamRecovery, ACoveredLaserIsNoticed)

@@ -67,3 +67,12 @@ TEST(TravelLog, SmallStepsCountAfterAThousandKilometres)
     for (int i = 0; i < 100; ++i) travel.inserted({x += 0.02, 0, 0});
     EXPECT_NEAR(travel.path() - before_m, 2.0, 0.2);
 }
+
+TEST(TravelLog, ForgetsTheWayToScansThatAreTakenBack)
+{
+    TravelLog travel;
+    for (int i = 0; i < 6; ++i) travel.inserted({2.0 * i, 0, 0});
+    travel.keepOnly({1, 1, 1, 0, 0, 0});
+    EXPECT_NEAR(travel.path(), 4, 1e-6);
+    EXPECT_EQ(travel.scansBefore(0.5), 2u);
+}

@@ -55,6 +55,14 @@ struct RelocaliseOptions
     void validate() const;
 };
 
+/// By how much a place explains scans better than others do, in shares of points summed over them.
+struct PlaceLead
+{
+    double over_tracked = 0;  ///< than the place where the vehicle is tracked
+    double over_all = 0;      ///< than that and any other, those near it left out
+    bool is_far = false;      ///< too far from the tracked one for tracking to come back by itself
+};
+
 /// Finds a vehicle in a map, from anywhere in it: the map is searched for a scan, the best places
 /// are refined and followed through the next scans, and only one that fits scan after scan and
 /// outdoes all others is believed. Its work a scan is bounded.
@@ -83,8 +91,11 @@ class Relocaliser
         const MapView& map, const Points& points_vehicle, const std::optional<Pose2>& pose_prev_now,
         const std::optional<Pose2>& pose_map_tracked = std::nullopt);
 
-    /// Whether another place than this one explained the last scans, and far better.
-    [[nodiscard]] bool isElsewhere(const Pose2& pose_map_tracked) const;
+    /// What the scans followed say for another place than the tracked one; nothing where no other
+    /// is confirmed. @param explained shares of the scans' points, summed, at the tracked place.
+    [[nodiscard]] PlaceLead leadOver(const Pose2& pose_map_tracked, double explained) const;
+    /// For how many scans the places of the last search have been followed.
+    [[nodiscard]] int scansFollowed() const { return scans_followed_; }
     /// Whether another place may yet do so.
     [[nodiscard]] bool hasRival(const Pose2& pose_map_tracked) const;
 

@@ -38,6 +38,7 @@ struct ScanReport
     double mean_squared_error_m2 = 0;
     double paired_share = 0;  ///< [0, 1] of the points used
     std::size_t pairs = 0;
+    bool doubted = false;  ///< perhaps carried away: what is written may be taken back
     bool inserted = false;
     bool anchored = false;     ///< matched against old scans of this place
     bool searched = false;     ///< ICP alone did not do: a window was searched

@@ -67,8 +67,16 @@ class Slam
         IcpResult fit_local{};                            ///< of that
         std::optional<Eigen::Matrix3d> covariance_old{};  ///< of the match with old scans
         bool is_found = false;      ///< by a search, which the next scan has to confirm
-        bool is_doubted = false;    ///< the vehicle may have been carried away
-        bool is_elsewhere = false;  ///< it was
+        bool is_elsewhere = false;  ///< the vehicle was carried away
+    };
+
+    /// A scan did not follow the last one: is the vehicle still where it is tracked?
+    struct Doubt
+    {
+        int scans = 0;         ///< in a row; 0: none
+        double agreement = 1;  ///< of the scan that began it with the one before
+        double explained = 0;  ///< shares of the scans followed, summed, at the tracked place
+        std::size_t scans_before = 0;  ///< in the map, when it began
     };
 
     void begin(const mrpt::obs::CObservation2DRangeScan& scan);
@@ -85,6 +93,10 @@ class Slam
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
     void doubt(const Pose2& pose_map_init, const std::string& laser, Match& match);
+    [[nodiscard]] bool beginsDoubt(
+        const Pose2& pose_map_init, const std::string& laser, const Match& match);
+    [[nodiscard]] double explainedBefore(const Pose2& pose_map_vehicle);
+    [[nodiscard]] bool isElsewhere(const Pose2& pose_map_tracked, double explained) const;
     [[nodiscard]] std::optional<PlaceEvidence> lookEverywhere(
         const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked);
     void anchor(Match& match);
@@ -95,7 +107,8 @@ class Slam
     const ScanReport& recover(const Pose2& pose_map_init, const std::string& laser);
     void report(const Match& match, TrackingState state);
     void insert(const Match& match, const std::string& laser);
-    void thinMap();
+    void keepOnly(const std::vector<char>& keep);
+    void takeBackDoubted();
 
     SlamOptions options_;
     RtobMap map_;
@@ -118,10 +131,11 @@ class Slam
 
     Pose2 matched_at_;              ///< in map; where a scan last fitted
     std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not
-    int doubted_scans_ = 0;         ///< in a row
+    Doubt doubt_;                   ///< whether the vehicle has been carried away
     Points points_vehicle_;         ///< of the scan in work
     Points points_turned_;          ///< the same, with map axes, seen from the vehicle
     LocalReference local_;          ///< what scans are matched against
+    LocalReference local_before_;   ///< the same, before the doubt began
     Reference reference_;           ///< what a search looks through
     ScanReport report_;
 };

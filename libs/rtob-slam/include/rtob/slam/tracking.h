@@ -13,7 +13,7 @@ enum class TrackingState
 {
     Init,         ///< no usable scan yet
     Tracking,     ///< matched
-    Degraded,     ///< the match is weak or in doubt: nothing is written
+    Degraded,     ///< the match is weak: nothing is written
     Lost,         ///< weak for too long: nothing is written
     Relocalising  ///< a place in the map was found and is being confirmed
 };
@@ -44,8 +44,8 @@ struct TrackingOptions
         visit(
             "min_agreement", s.min_agreement,
             "share of a scan that does not fit where it was expected that must agree with the last "
-            "one, as far as they see the same; else nothing is written until [Relocalise] finds no "
-            "better place; 0: not looked at; [0, 1)");
+            "one, as far as they see the same; else what is written is taken back if [Relocalise] "
+            "finds a better place; 0: not looked at; [0, 1)");
     }
     void validate() const;
 };
@@ -60,8 +60,6 @@ class TrackingStateMachine
     TrackingState next(FitVerdict verdict);
     /// The first usable scan has started the map, or the place was found.
     void start();
-    /// The scan fits, yet it may come from a place that looks the same.
-    void doubt() { state_ = TrackingState::Degraded; }
     /// The place is not known, or there are places that wait to be confirmed.
     void lose(bool has_candidates = false);
 

@@ -15,7 +15,8 @@ class TravelLog
     /// To be called for each scan of the map, with its pose.
     void inserted(const Pose2& pose_map_vehicle);
 
-    /// The map forgets scans, never its newest. @param keep one entry a scan: 0 to forget it.
+    /// The map forgets scans, and the way to its newest if they go. @param keep one entry a scan: 0
+    /// to forget it.
     void keepOnly(const std::vector<char>& keep);
     void reserve(std::size_t scans) { path_m_.reserve(scans); }
 
