@@ -21,9 +21,11 @@ constexpr double kJumpShare = 0.5;
 constexpr double kLeastLead = 0.15;
 // and leads all others by this much; what of the first scan did not agree with the one before
 // counts so often. (Shares of points, summed over the scans.)
-constexpr double kElsewhere = 0.9, kBreakWeight = 5;
+constexpr double kElsewhere = 0.8, kBreakWeight = 5;
 // Not where the tracked place explains so much of the newest scan.
 constexpr double kExplained = 0.9;
+// A vehicle that has moved less since the doubt began sees what it has written itself.
+constexpr double kStood_m = 0.1, kStood_rad = 0.1;
 // Where less than this agrees, any better place will do: the vehicle is not where it is tracked.
 constexpr double kBroken = 0.6;
 // A place that has stood for so many scans stands.
@@ -93,7 +95,7 @@ void Slam::doubt(const Pose2& pose_map_init, const std::string& laser, Match& ma
     const Pose2& tracked = match.pose_map_vehicle;
     const bool is_tracked = is_match(match.verdict);
     (void)lookEverywhere(pose_map_init, is_tracked ? std::optional(tracked) : std::nullopt);
-    const double explained = is_tracked ? explainedBefore(tracked) : match.fit.known_share;
+    const double explained = explainedShare(match);
     const int followed = relocaliser_.scansFollowed();
     doubt_.explained = followed > 1 ? doubt_.explained + explained : explained;
     if (!is_tracked) return;  // LOST, if it goes on
@@ -115,18 +117,23 @@ bool Slam::beginsDoubt(const Pose2& pose_map_init, const std::string& laser, con
         return false;
     const double agreement = continuity_.agreement(laser, match.pose_map_vehicle, points_vehicle_);
     if (agreement >= options_.tracking.min_agreement) return false;
-    doubt_ = {0, agreement, 0, map_.scans().size()};
+    doubt_ = {0, agreement, 0, map_.scans().size(), match.pose_map_vehicle};
     local_before_ = local_;
     relocaliser_.restart();
     return true;
 }
 
-/// [0, 1] of the scan, by what was drawn before the doubt: what was written since explains itself.
-double Slam::explainedBefore(const Pose2& pose_map_vehicle)
+/// [0, 1] of the scan, at the tracked place. Of a vehicle that stands, by what was drawn before the
+/// doubt: what was written since explains itself. What was drawn before soon falls behind one that
+/// moves on into new ground.
+double Slam::explainedShare(const Match& match)
 {
+    const Pose2& tracked = match.pose_map_vehicle;
+    if (!is_match(match.verdict) || !is_near(doubt_.pose_map_first, tracked, kStood_m, kStood_rad))
+        return match.fit.known_share;
     const StepTimer timer(report_.times.align_s);
-    turn_points(pose_map_vehicle, points_vehicle_.view(), points_turned_);
-    return local_before_.align(icp_, points_turned_.view(), pose_map_vehicle).known_share;
+    turn_points(tracked, points_vehicle_.view(), points_turned_);
+    return local_before_.align(icp_, points_turned_.view(), tracked).known_share;
 }
 
 /// @param explained share of the newest scan, at the tracked place

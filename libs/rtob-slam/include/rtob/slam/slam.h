@@ -77,6 +77,7 @@ class Slam
         double agreement = 1;  ///< of the scan that began it with the one before
         double explained = 0;  ///< shares of the scans followed, summed, at the tracked place
         std::size_t scans_before = 0;  ///< in the map, when it began
+        Pose2 pose_map_first{};        ///< where the scan that began it was tracked
     };
 
     void begin(const mrpt::obs::CObservation2DRangeScan& scan);
@@ -95,7 +96,7 @@ class Slam
     void doubt(const Pose2& pose_map_init, const std::string& laser, Match& match);
     [[nodiscard]] bool beginsDoubt(
         const Pose2& pose_map_init, const std::string& laser, const Match& match);
-    [[nodiscard]] double explainedBefore(const Pose2& pose_map_vehicle);
+    [[nodiscard]] double explainedShare(const Match& match);
     [[nodiscard]] bool isElsewhere(const Pose2& pose_map_tracked, double explained) const;
     [[nodiscard]] std::optional<PlaceEvidence> lookEverywhere(
         const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked);
