@@ -58,6 +58,7 @@ VerbAction declare_recovery(CLI::App& command)
         ->allow_extra_args(false);
     add("--trials", flags->relocalise.count, "N", "times to wake up somewhere; default 100");
     add("--kidnaps", flags->carried.count, "N", "times to be carried away; default 50");
+    add("--apart", flags->carried.least_m, "M", "how far it is carried at least; default 5");
     add("--covers", flags->covered, "N", "times to be covered; default 20");
     add("--seed", flags->seed, "N", "of the choice of scans");
     add("--first", flags->first, "N", "take only so many scans of the log");

@@ -50,7 +50,8 @@ class Trial
             if (has_lost_ && map_checksum(slam.map()) != checksum) trial_.map_unchanged = false;
             watch(give(slam, next++, false), &truth, ++scan, k + 1);
         }
-        if (!has_lost_ && map_checksum(slam.map()) != checksum) trial_.map_unchanged = false;
+        if (!has_lost_ && !trial_.was_followed() && map_checksum(slam.map()) != checksum)
+            trial_.map_unchanged = false;
         return trial_;
     }
 

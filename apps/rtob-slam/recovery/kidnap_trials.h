@@ -35,6 +35,9 @@ struct KidnapTrial
     /// While LOST it was as before the mishap, by checksum: what was written until then is taken
     /// back. Of a mishap that is never noticed, whether anything was written.
     bool map_unchanged = true;
+
+    /// Not far enough away to get lost: the first scan was matched where it was taken.
+    [[nodiscard]] bool was_followed() const { return lost_after == 0 && tracking_wrong == 0; }
 };
 
 /// Lets a vehicle track in the map without the scans of the trial, and carries it away or covers

@@ -86,11 +86,13 @@ std::string kidnap_text(const std::vector<KidnapTrial>& done, const KidnapTrials
     std::string text =
         is_carried ? line("carried away: %zu times, at least %.0f m", done.size(), trials.least_m)
                    : line("covered: %zu times, for %d scans", done.size(), trials.scans_covered);
-    const auto is_late = [](const KidnapTrial& trial)
-    { return trial.lost_after == 0 || trial.lost_after > kLostInTime; };
+    const auto is_in_time = [](const KidnapTrial& trial)
+    { return trial.lost_after > 0 && trial.lost_after <= kLostInTime; };
+    text +=
+        line("  LOST within %d scans                %d", kLostInTime, count_of(done, is_in_time));
     text += line(
-        "  LOST within %d scans                %d", kLostInTime,
-        static_cast<int>(done.size()) - count_of(done, is_late));
+        "  TRACKING on, at the right place    %d",
+        count_of(done, [](const auto& trial) { return trial.was_followed(); }));
     text += spread(
         "scans to LOST p50/p95/max", "", done,
         [](const auto& trial) { return trial.lost_after > 0 ? trial.lost_after : -1.0; });
@@ -107,8 +109,8 @@ std::string kidnap_text(const std::vector<KidnapTrial>& done, const KidnapTrials
         "  map changed in between             %d",
         count_of(done, [](const auto& trial) { return !trial.map_unchanged; }));
     for (const KidnapTrial& trial : done)
-        if (is_late(trial) || trial.found_after == 0 || trial.is_false_accept ||
-            !trial.map_unchanged)
+        if (!trial.was_followed() && (!is_in_time(trial) || trial.found_after == 0 ||
+                                      trial.is_false_accept || !trial.map_unchanged))
             text += line(
                 "  scan %zu to %zu: LOST after %d, TRACKING after %d%s, %d scans at a wrong "
                 "place%s",
