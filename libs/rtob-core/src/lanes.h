@@ -19,6 +19,11 @@ RTOB_INLINE void load(const float* from, FloatLanes& lanes)
     std::memcpy(&lanes, from, sizeof lanes);
 }
 
+RTOB_INLINE void store(const FloatLanes& lanes, float* to)
+{
+    std::memcpy(to, &lanes, sizeof lanes);
+}
+
 /// begin, begin + 1, ...
 RTOB_INLINE void count_up(std::uint32_t begin, IndexLanes& lanes)
 {

@@ -9,11 +9,6 @@ namespace rtob
 {
 namespace
 {
-
-// Where the neighbour of a point that is alone stands: a finite number, so that a weight of 0 takes
-// it out of all sums, whose square is finite, too.
-constexpr float kNowhere = 1e15f;
-
 RTOB_SIMD_CLONES void square_distances(const PairColumns& c, float* squared_distance)
 {
     for (std::size_t i = 0; i < c.blocks * kLanes; ++i)
@@ -31,11 +26,18 @@ RTOB_SIMD_CLONES void drop_beyond(const PairColumns& c, float limit2, float* wei
 
 RTOB_SIMD_CLONES void line_residuals(const PairColumns& c, float* squared_residual)
 {
-    for (std::size_t i = 0; i < c.blocks * kLanes; ++i)
+    for (std::size_t i = 0; i < c.blocks * kLanes; i += kLanes)
     {
-        const float across = c.nx[i] * (c.x[i] - c.u[i]) + c.ny[i] * (c.y[i] - c.v[i]);
-        const float on_line = c.nx[i] * c.nx[i] + c.ny[i] * c.ny[i];
-        squared_residual[i] = on_line > 0 ? across * across : c.d2[i];
+        FloatLanes x, y, u, v, nx, ny, d2;
+        load(c.x + i, x);
+        load(c.y + i, y);
+        load(c.u + i, u);
+        load(c.v + i, v);
+        load(c.nx + i, nx);
+        load(c.ny + i, ny);
+        load(c.d2 + i, d2);
+        const FloatLanes across = nx * (x - u) + ny * (y - v);
+        store(nx * nx + ny * ny > 0 ? across * across : d2, squared_residual + i);
     }
 }
 
@@ -82,24 +84,28 @@ enum MotionSum
 RTOB_SIMD_CLONES void add_motion_lanes(
     const PairColumns& c, const float* weight, float origin_x, float origin_y, float* sums)
 {
-    float lanes[kMotionSums][kLanes] = {};
+    FloatLanes lanes[kMotionSums] = {};
     for (std::size_t i = 0; i < c.blocks * kLanes; i += kLanes)
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-        {
-            const std::size_t k = i + lane;
-            const float w = weight[k];
-            const float x = c.x[k] - origin_x, y = c.y[k] - origin_y;
-            const float u = c.u[k] - origin_x, v = c.v[k] - origin_y;
-            lanes[kW][lane] += w;
-            lanes[kX][lane] += w * x;
-            lanes[kY][lane] += w * y;
-            lanes[kU][lane] += w * (u - x);
-            lanes[kV][lane] += w * (v - y);
-            lanes[kCos][lane] += w * (x * u + y * v);
-            lanes[kSin][lane] += w * (x * (v - y) - y * (u - x));
-        }
-    for (int s = 0; s < kMotionSums; ++s)
-        for (std::size_t lane = 0; lane < kLanes; ++lane) sums[s] += lanes[s][lane];
+    {
+        FloatLanes w, x, y, u, v;
+        load(weight + i, w);
+        load(c.x + i, x);
+        load(c.y + i, y);
+        load(c.u + i, u);
+        load(c.v + i, v);
+        x -= origin_x;
+        y -= origin_y;
+        u -= origin_x;
+        v -= origin_y;
+        lanes[kW] += w;
+        lanes[kX] += w * x;
+        lanes[kY] += w * y;
+        lanes[kU] += w * (u - x);
+        lanes[kV] += w * (v - y);
+        lanes[kCos] += w * (x * u + y * v);
+        lanes[kSin] += w * (x * (v - y) - y * (u - x));
+    }
+    for (int s = 0; s < kMotionSums; ++s) sums[s] = sum_of(lanes[s]);
 }
 
 enum NormalSum
@@ -120,35 +126,39 @@ RTOB_SIMD_CLONES void add_normal_lanes(
     const PairColumns& c, const float* weight, float center_x, float center_y, float along_line,
     float* sums)
 {
-    float lanes[kNormalSums][kLanes] = {};
+    const FloatLanes one = FloatLanes{} + 1.0f, along = FloatLanes{} + along_line;
+    FloatLanes lanes[kNormalSums] = {};
     for (std::size_t i = 0; i < c.blocks * kLanes; i += kLanes)
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-        {
-            const std::size_t k = i + lane;
-            const float w = weight[k], nx = c.nx[k], ny = c.ny[k];
-            // The metric: 1 across the line, along_line along it; 1 both ways on no line.
-            const float on_line = nx * nx + ny * ny > 0 ? 1.0f : 0.0f;
-            const float isotropic = w * (on_line * along_line + (1 - on_line));
-            const float across = w * (1 - along_line);
-            const float mxx = across * nx * nx + isotropic;
-            const float mxy = across * nx * ny;
-            const float myy = across * ny * ny + isotropic;
-            // Yaw turns about the center.
-            const float jx = center_y - c.y[k], jy = c.x[k] - center_x;
-            const float ex = c.x[k] - c.u[k], ey = c.y[k] - c.v[k];
-            const float ax = mxx * jx + mxy * jy, ay = mxy * jx + myy * jy;
-            lanes[kH00][lane] += mxx;
-            lanes[kH01][lane] += mxy;
-            lanes[kH11][lane] += myy;
-            lanes[kH02][lane] += ax;
-            lanes[kH12][lane] += ay;
-            lanes[kH22][lane] += jx * ax + jy * ay;
-            lanes[kG0][lane] += mxx * ex + mxy * ey;
-            lanes[kG1][lane] += mxy * ex + myy * ey;
-            lanes[kG2][lane] += ax * ex + ay * ey;
-        }
-    for (int s = 0; s < kNormalSums; ++s)
-        for (std::size_t lane = 0; lane < kLanes; ++lane) sums[s] += lanes[s][lane];
+    {
+        FloatLanes w, x, y, u, v, nx, ny;
+        load(weight + i, w);
+        load(c.x + i, x);
+        load(c.y + i, y);
+        load(c.u + i, u);
+        load(c.v + i, v);
+        load(c.nx + i, nx);
+        load(c.ny + i, ny);
+        // The metric: 1 across the line, along_line along it; 1 both ways on no line.
+        const FloatLanes isotropic = w * (nx * nx + ny * ny > 0 ? along : one);
+        const FloatLanes across = w * (1 - along_line);
+        const FloatLanes mxx = across * nx * nx + isotropic;
+        const FloatLanes mxy = across * nx * ny;
+        const FloatLanes myy = across * ny * ny + isotropic;
+        // Yaw turns about the center.
+        const FloatLanes jx = center_y - y, jy = x - center_x;
+        const FloatLanes ex = x - u, ey = y - v;
+        const FloatLanes ax = mxx * jx + mxy * jy, ay = mxy * jx + myy * jy;
+        lanes[kH00] += mxx;
+        lanes[kH01] += mxy;
+        lanes[kH11] += myy;
+        lanes[kH02] += ax;
+        lanes[kH12] += ay;
+        lanes[kH22] += jx * ax + jy * ay;
+        lanes[kG0] += mxx * ex + mxy * ey;
+        lanes[kG1] += mxy * ex + myy * ey;
+        lanes[kG2] += ax * ex + ay * ey;
+    }
+    for (int s = 0; s < kNormalSums; ++s) sums[s] = sum_of(lanes[s]);
 }
 }  // namespace
 
@@ -158,7 +168,7 @@ void PairTable::reset(std::size_t scan_points)
     pairs_ = 0;
     const std::size_t padded = blocks() * kLanes;
     for (auto* column : {&x_, &y_, &normal_x_, &normal_y_}) column->assign(padded, 0);
-    for (auto* column : {&neighbour_x_, &neighbour_y_}) column->assign(padded, kNowhere);
+    for (auto* column : {&neighbour_x_, &neighbour_y_}) column->assign(padded, kAlone.x);
     squared_distance_.resize(padded);
     weight_.resize(padded);
 }
@@ -173,19 +183,6 @@ void PairTable::move(const PointsView& scan, const Pose2& pose)
         x_[i] = c * scan.x[i] - s * scan.y[i] + tx;
         y_[i] = s * scan.x[i] + c * scan.y[i] + ty;
     }
-}
-
-void PairTable::pair(std::size_t i, const Neighbour& neighbour)
-{
-    neighbour_x_[i] = neighbour.x;
-    neighbour_y_[i] = neighbour.y;
-    normal_x_[i] = neighbour.normal_x;
-    normal_y_[i] = neighbour.normal_y;
-}
-
-void PairTable::leaveAlone(std::size_t i)
-{
-    pair(i, {kNowhere, kNowhere});
 }
 
 std::size_t PairTable::blocks() const

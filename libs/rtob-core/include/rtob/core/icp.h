@@ -36,7 +36,7 @@ struct IcpOptions
     double line_radius_m = 0.30;
     double weak_share = 0.10;
     int cell_points = 6;
-    double stop_step_m = 0.0005;
+    double stop_step_m = 0.001;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)

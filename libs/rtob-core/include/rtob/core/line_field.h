@@ -5,7 +5,8 @@
 
 namespace rtob
 {
-/// The local line through each reference point, fitted when it is first asked for.
+/// The local line at each reference point, fitted when it is first asked for: around the first point
+/// of its cell, once for all points of the cell.
 class LineField
 {
  public:

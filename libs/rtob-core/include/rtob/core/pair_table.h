@@ -44,17 +44,27 @@ class PairTable
  public:
     struct Neighbour
     {
-        float x, y;                        ///< m
-        float normal_x = 0, normal_y = 0;  ///< of its line, unit; 0: it is on no line
+        float x, y;                ///< m
+        float normal_x, normal_y;  ///< of its line, unit; both 0: it is on no line
     };
+
+    /// Of a point that is alone: a finite place, so that a weight of 0 takes it out of all sums,
+    /// whose square is finite, too.
+    static constexpr Neighbour kAlone{1e15f, 1e15f, 0, 0};
 
     /// Room for so many scan points, all alone.
     void reset(std::size_t scan_points);
 
     /// Moves the scan: as many points as given to reset(). @param pose of the scan.
     void move(const PointsView& scan, const Pose2& pose);
-    void pair(std::size_t i, const Neighbour& neighbour);
-    void leaveAlone(std::size_t i);
+    void pair(std::size_t i, const Neighbour& neighbour)
+    {
+        neighbour_x_[i] = neighbour.x;
+        neighbour_y_[i] = neighbour.y;
+        normal_x_[i] = neighbour.normal_x;
+        normal_y_[i] = neighbour.normal_y;
+    }
+    void leaveAlone(std::size_t i) { pair(i, kAlone); }
     /// Takes the distances of the pairs; farther ones do not count. To be called after moves.
     void measure(double max_distance_m);
 
