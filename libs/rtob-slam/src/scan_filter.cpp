@@ -30,6 +30,7 @@ void ScanFilterOptions::validate() const
     require(min_range_m >= 0, "min_range_m", min_range_m, ">= 0");
     require(max_range_m > min_range_m, "max_range_m", max_range_m, "> min_range_m");
     require(max_beams >= 10, "max_beams", max_beams, ">= 10");
+    require(max_matched >= 10, "max_matched", max_matched, ">= 10");
     static_cast<void>(AngleMask(mask_deg));
 }
 

@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <rtob/map/conversions.h>
 #include <rtob/slam/slam.h>
+#include <rtob/slam/spread_points.h>
 
 namespace rtob
 {
@@ -123,6 +124,9 @@ void Slam::filter(const mrpt::obs::CObservation2DRangeScan& scan)
     const ScanGeometry geometry =
         motion_.geometry(sensor_.mountOf(scan), prealignment_.twist(report_.stamp_s));
     report_.beams = filter_.filter(scan, geometry, points_vehicle_);
+    spread_points(
+        points_vehicle_.view(), static_cast<std::size_t>(options_.scan_filter.max_matched),
+        matched_vehicle_);
 }
 
 Pose2 Slam::prealign()

@@ -51,7 +51,7 @@ Slam::Match Slam::matchGuess(const Pose2& pose_map_init)
 
 Slam::Match Slam::matchAround(const Pose2& pose_map_init)
 {
-    const Box needed_map = turn_points(pose_map_init, points_vehicle_.view(), points_turned_)
+    const Box needed_map = turn_points(pose_map_init, matched_vehicle_.view(), points_turned_)
                                .grown(options_.icp.max_pair_distance_m);
     const bool is_reused = local_.serves(report_.map_time_s, pose_map_init, needed_map);
     if (!is_reused) drawAround(pose_map_init, needed_map);
@@ -112,7 +112,7 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
     Pose2 pose_map_found;
     {
         const StepTimer timer(report_.times.search_s);
-        turn_points(pose_map_init, points_vehicle_.view(), points_turned_);
+        turn_points(pose_map_init, matched_vehicle_.view(), points_turned_);
         map_.draw(pose_map_init, std::nullopt, trustedBegin(), reference_);
         pose_map_found = search_.search(
             pose_map_init, points_turned_, reference_, tracking_.isLost(),
@@ -136,7 +136,7 @@ void Slam::anchor(Match& match)
     const StepTimer timer(report_.times.anchor_s);
     const auto old_fit = anchor_.align(
         map_.view(), travel_, drift_, report_.map_time_s, match.pose_map_vehicle, match.fit,
-        points_vehicle_);
+        matched_vehicle_);
     if (!old_fit) return;
     report_.anchored = true;
     match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, old_fit->correction);

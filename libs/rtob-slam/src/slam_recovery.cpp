@@ -132,7 +132,7 @@ double Slam::explainedShare(const Match& match)
     if (!is_match(match.verdict) || !is_near(doubt_.pose_map_first, tracked, kStood_m, kStood_rad))
         return match.fit.known_share;
     const StepTimer timer(report_.times.align_s);
-    turn_points(tracked, points_vehicle_.view(), points_turned_);
+    turn_points(tracked, matched_vehicle_.view(), points_turned_);
     return local_before_.align(icp_, points_turned_.view(), tracked).known_share;
 }
 

@@ -17,6 +17,7 @@ struct ScanFilterOptions
     double max_range_m = 40;
     std::string mask_deg;
     int max_beams = 720;
+    int max_matched = 200;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -32,6 +33,10 @@ struct ScanFilterOptions
         visit(
             "max_beams", s.max_beams,
             "scans with more beams are thinned evenly to at most this many; >= 10");
+        visit(
+            "max_matched", s.max_matched,
+            "points of a scan that are matched at most, evenly along what it sees; all of them "
+            "enter the map; >= 10");
     }
     void validate() const;
 };

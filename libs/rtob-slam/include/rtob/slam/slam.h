@@ -134,7 +134,8 @@ class Slam
     std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not
     Doubt doubt_;                   ///< whether the vehicle has been carried away
     Points points_vehicle_;         ///< of the scan in work
-    Points points_turned_;          ///< the same, with map axes, seen from the vehicle
+    Points matched_vehicle_;        ///< those of them that are matched
+    Points points_turned_;          ///< these, with map axes, seen from the vehicle
     LocalReference local_;          ///< what scans are matched against
     LocalReference local_before_;   ///< the same, before the doubt began
     Reference reference_;           ///< what a search looks through
