@@ -31,6 +31,18 @@ RTOB_SIMD_CLONES void room_left(
 }
 }  // namespace
 
+void Correspondences::reserve(std::size_t scan_points)
+{
+    searched_at_.reserve(scan_points);
+    neighbour_.reserve(scan_points);
+    gap_m_.reserve(scan_points);
+    room_m_.reserve(scan_points);
+    unsettled_.reserve(scan_points);
+    queries_.reserve(scan_points);
+    reach_m_.reserve(scan_points);
+    found_.reserve(scan_points);
+}
+
 void Correspondences::reset(std::size_t scan_points)
 {
     searched_at_.x.resize(scan_points);
@@ -38,8 +50,6 @@ void Correspondences::reset(std::size_t scan_points)
     neighbour_.assign(scan_points, NeighbourGrid::kNone);
     gap_m_.assign(scan_points, -1);  // nothing is known: to be searched
     room_m_.resize(scan_points);
-    unsettled_.reserve(scan_points);
-    queries_.reserve(scan_points);
     reach_m_.resize(scan_points);
     found_.resize(scan_points);
 }

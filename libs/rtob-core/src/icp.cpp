@@ -114,18 +114,19 @@ IcpResult Icp::align(
 
 IcpResult Icp::align(
     const PointsView& scan, IcpReference& reference, const Eigen::Vector2d& origin,
-    const CorrectionPrior& prior)
+    const CorrectionPrior& prior, IcpReach reach)
 {
     IcpResult result;
     const Pose2 start{origin.x(), origin.y(), 0};
     Pose2 pose = start;  // of the scan, seen from the reference's origin
     const bool to_line = options_.metric == IcpMetric::PointToLine;
+    takeMemory(scan.size);
     pairs_.reset(scan.size);
     correspondences_.reset(scan.size);
     const int final_phase = (options_.iterations + 1) / 2;  // from here the pair distance is final
     for (int phase = 0; phase < options_.iterations; ++phase)
     {
-        const double distance_m = pairDistance(phase);
+        const double distance_m = pairDistance(phase, reach);
         pairs_.move(scan, pose);
         correspondences_.find(reference, distance_m, to_line, pairs_);
         if (pairs_.pairs() < kMinPairs) break;
@@ -147,6 +148,15 @@ IcpResult Icp::align(
     return result;
 }
 
+/// Scans differ a little in size, and a later one is to find room.
+void Icp::takeMemory(std::size_t scan_points)
+{
+    constexpr std::size_t block = 256;
+    const std::size_t room = (scan_points + block - 1) / block * block;
+    pairs_.reserve(room);
+    correspondences_.reserve(room);
+}
+
 bool Icp::isAtRest(const Pose2& before, const Pose2& now, double step_m)
 {
     // 1 m: where the turn's share of the step is measured.
@@ -154,10 +164,10 @@ bool Icp::isAtRest(const Pose2& before, const Pose2& now, double step_m)
 }
 
 /// Shrinks from the largest to the final distance over the first half of the iterations.
-double Icp::pairDistance(int iteration) const
+double Icp::pairDistance(int iteration, IcpReach reach) const
 {
     const double progress = 2.0 * iteration / options_.iterations;
-    if (progress >= 1) return options_.final_pair_distance_m;
+    if (progress >= 1 || reach == IcpReach::Near) return options_.final_pair_distance_m;
     return options_.max_pair_distance_m *
            std::pow(options_.final_pair_distance_m / options_.max_pair_distance_m, progress);
 }

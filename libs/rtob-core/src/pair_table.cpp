@@ -162,6 +162,14 @@ RTOB_SIMD_CLONES void add_normal_lanes(
 }
 }  // namespace
 
+void PairTable::reserve(std::size_t scan_points)
+{
+    for (auto* column :
+         {&x_, &y_, &normal_x_, &normal_y_, &neighbour_x_, &neighbour_y_, &squared_distance_,
+          &weight_})
+        column->reserve(scan_points + kLanes);
+}
+
 void PairTable::reset(std::size_t scan_points)
 {
     size_ = scan_points;

@@ -26,7 +26,7 @@ namespace
 {
 // Old scans may explain this much less of a scan than all scans do: of a small correction, of a
 // large one.
-constexpr double kShareSlack = 0.75, kFarShareSlack = 0.9;
+constexpr double kShareSlack = 0.75, kFarShareSlack = 0.97;
 
 /// The way since the last hold may have gone astray by more than one step's guess can: nothing
 /// resists.

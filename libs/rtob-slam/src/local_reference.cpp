@@ -27,11 +27,11 @@ bool LocalReference::serves(double time_s, const Pose2& pose_map_init, const Box
 }
 
 IcpResult LocalReference::align(
-    Icp& icp, const PointsView& points_turned, const Pose2& pose_map_init)
+    Icp& icp, const PointsView& points_turned, const Pose2& pose_map_init, IcpReach reach)
 {
     const IcpResult fit = icp.align(
         points_turned, prepared_,
-        {pose_map_init.x - sample_.origin_x, pose_map_init.y - sample_.origin_y});
+        {pose_map_init.x - sample_.origin_x, pose_map_init.y - sample_.origin_y}, {}, reach);
     if (!first_share_) first_share_ = fit.paired_share;
     return fit;
 }

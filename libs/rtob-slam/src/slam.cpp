@@ -6,6 +6,8 @@
 #include <rtob/slam/slam.h>
 #include <rtob/slam/spread_points.h>
 
+#include <algorithm>
+
 namespace rtob
 {
 namespace
@@ -59,6 +61,8 @@ Slam::Slam(const SlamOptions& options)
       local_(options.reference),
       local_before_(options.reference)
 {
+    matched_vehicle_.reserve(static_cast<std::size_t>(
+        std::min(options.scan_filter.max_matched, options.scan_filter.max_beams)));
 }
 
 const ScanReport* Slam::observe(const mrpt::obs::CObservation& observation)
@@ -90,6 +94,7 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
 
     Match match = matchGuess(pose_map_init);  // 3. to 6.: eq. 5, ICP, eq. 4, gate
     if (isDoubtful(match)) searchAround(pose_map_init, match);
+    holdToOdometry(pose_map_init, match);
     if (isFalseStart(match)) return startMap(pose_map_init, scan.sensorLabel);
     doubt(pose_map_init, scan.sensorLabel, match);
     if (match.verdict == FitVerdict::Good && options_.remembers() &&

@@ -29,6 +29,9 @@ double unexplained_m2(const IcpResult& fit, double pair_distance_m)
            (1 - fit.paired_share) * pair_distance_m * pair_distance_m;
 }
 
+// What contradicts odometry has to leave so much less unexplained than what agrees with it.
+constexpr double kAboutAsWell = 1.5;
+
 // How far odometry may mislead from one match to the next: by slip, and by a share of the way.
 constexpr double kSlip_m = 0.3, kSlipShare = 1.0;
 }  // namespace
@@ -49,16 +52,16 @@ Slam::Match Slam::matchGuess(const Pose2& pose_map_init)
     return has_ended ? ended : going_on;
 }
 
-Slam::Match Slam::matchAround(const Pose2& pose_map_init)
+Slam::Match Slam::matchAround(const Pose2& pose_map_init, IcpReach reach)
 {
     const Box needed_map = turn_points(pose_map_init, matched_vehicle_.view(), points_turned_)
                                .grown(options_.icp.max_pair_distance_m);
     const bool is_reused = local_.serves(report_.map_time_s, pose_map_init, needed_map);
     if (!is_reused) drawAround(pose_map_init, needed_map);
-    Match match = alignAround(pose_map_init);
+    Match match = alignAround(pose_map_init, reach);
     if (!is_reused || !local_.isWorse(match.fit)) return match;
     drawAround(pose_map_init, needed_map);
-    return alignAround(pose_map_init);
+    return alignAround(pose_map_init, reach);
 }
 
 void Slam::drawAround(const Pose2& pose_map_init, const Box& needed_map)
@@ -70,11 +73,11 @@ void Slam::drawAround(const Pose2& pose_map_init, const Box& needed_map)
         { map_.draw(pose_map_init, box_map, trustedBegin(), reference); });
 }
 
-Slam::Match Slam::alignAround(const Pose2& pose_map_init)
+Slam::Match Slam::alignAround(const Pose2& pose_map_init, IcpReach reach)
 {
     const StepTimer timer(report_.times.align_s);
     Match match;
-    match.fit = local_.align(icp_, points_turned_.view(), pose_map_init);
+    match.fit = local_.align(icp_, points_turned_.view(), pose_map_init, reach);
     match.pose_map_vehicle = apply_correction(pose_map_init, match.fit.correction);
     match.verdict = judge_fit(match.fit, options_.fit_gate);
     match.pose_map_local = match.pose_map_vehicle;
@@ -128,6 +131,29 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
     if (found.verdict != FitVerdict::Good || found.fit.paired_share < enough) return;
     match = found;
     match.is_found = true;
+}
+
+/// A match that contradicts odometry which has been right so far: as long as the scan fits about as
+/// well where odometry says, it stays there. Crowded rooms, and the seams of loops, offer better
+/// places now and then; where odometry slips, nothing fits where it says.
+void Slam::holdToOdometry(const Pose2& pose_map_init, Match& match)
+{
+    if (!options_.prealign.hold_to_odometry || !prealignment_.goesByOdometry() ||
+        tracking_.isLost() || !is_match(match.verdict))
+        return;
+    const Pose2 error = between(pose_map_init, match.pose_map_vehicle);
+    if (guess_errors_.isUnusual(error))
+    {
+        const Match held = matchAround(pose_map_init, IcpReach::Near);
+        const double distance_m = options_.icp.final_pair_distance_m;
+        if (is_match(held.verdict) && unexplained_m2(held.fit, distance_m) <
+                                          kAboutAsWell * unexplained_m2(match.fit, distance_m))
+        {
+            match = held;
+            return;
+        }
+    }
+    if (!match.is_found) guess_errors_.learn(error);
 }
 
 /// Beyond the paper: in places seen before, the old scans decide.

@@ -159,3 +159,20 @@ TEST(Slam, PassesOverOtherObservations)
     EXPECT_FALSE(slam.hasOdometry());
     EXPECT_EQ(slam.state(), TrackingState::Init);
 }
+
+TEST(SlamOdometry, WhatSlipsOnceDoesNotHoldTheVehicle)
+{
+    // It stands, and odometry has been right for long; then the floor carries it 0.3 m on.
+    const Pose2 before{1.5, 1.2, 0}, after{1.8, 1.2, 0};
+    Slam slam;
+    mrpt::obs::CObservationOdometry odometry;
+    constexpr int kStands = 600;
+    for (int k = 0; k < kStands + 3; ++k)
+    {
+        (void)slam.observe(odometry);
+        slam.process(test::scan_observation(
+            test::room_4x3(), k < kStands ? before : after, 1000 + 0.1 * k, test::mrpt_laser()));
+    }
+    EXPECT_EQ(slam.state(), TrackingState::Tracking);
+    EXPECT_THAT(slam.pose(), IsNearPose(between(before, after), 0.02, 0.01));
+}

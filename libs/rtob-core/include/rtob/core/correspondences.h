@@ -18,6 +18,9 @@ namespace rtob
 class Correspondences
 {
  public:
+    /// Takes the memory for so many scan points.
+    void reserve(std::size_t scan_points);
+
     /// Forgets what is known of the scan before.
     void reset(std::size_t scan_points);
 

@@ -105,6 +105,14 @@ struct CorrectionPrior
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of x, y, yaw, relative to one pair
 };
 
+/// Where the pair distance begins to shrink: the paper's maximum, or the final one already, for a
+/// guess that is known to be good.
+enum class IcpReach
+{
+    Far,
+    Near
+};
+
 /// Eq. 4: the pre-aligned pose with the correction.
 [[nodiscard]] Pose2 apply_correction(const Pose2& pose_map_vehicle_init, const Pose2& correction);
 
@@ -122,16 +130,18 @@ class Icp
 
     /// The same against a reference that was made ready before.
     /// @param origin the pre-aligned vehicle position, seen from where the reference is.
+    /// @param reach how far the guess may be off.
     [[nodiscard]] IcpResult align(
         const PointsView& scan, IcpReference& reference, const Eigen::Vector2d& origin,
-        const CorrectionPrior& prior = {});
+        const CorrectionPrior& prior = {}, IcpReach reach = IcpReach::Far);
 
     /// Makes points ready for align() with these options.
     void prepare(const PointsView& points, IcpReference& reference) const;
 
  private:
+    void takeMemory(std::size_t scan_points);
     [[nodiscard]] static bool isAtRest(const Pose2& before, const Pose2& now, double step_m);
-    [[nodiscard]] double pairDistance(int iteration) const;
+    [[nodiscard]] double pairDistance(int iteration, IcpReach reach) const;
     [[nodiscard]] Pose2 fit(
         const Pose2& pose, const Pose2& start, const CorrectionPrior& prior) const;
     [[nodiscard]] std::size_t countKnown(const NeighbourGrid& reference) const;

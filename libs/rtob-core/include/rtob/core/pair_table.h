@@ -52,6 +52,9 @@ class PairTable
     /// whose square is finite, too.
     static constexpr Neighbour kAlone{1e15f, 1e15f, 0, 0};
 
+    /// Takes the memory for so many scan points.
+    void reserve(std::size_t scan_points);
+
     /// Room for so many scan points, all alone.
     void reset(std::size_t scan_points);
 

@@ -69,7 +69,8 @@ class LocalReference
     void drop() { drawn_at_.reset(); }
 
     [[nodiscard]] IcpResult align(
-        Icp& icp, const PointsView& points_turned, const Pose2& pose_map_init);
+        Icp& icp, const PointsView& points_turned, const Pose2& pose_map_init,
+        IcpReach reach = IcpReach::Far);
 
     /// Whether the sample explains this scan worse than the first.
     [[nodiscard]] bool isWorse(const IcpResult& fit) const;

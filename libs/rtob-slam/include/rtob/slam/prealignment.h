@@ -39,6 +39,7 @@ struct PrealignOptions
     PrealignSource source = PrealignSource::Auto;
     double max_speed_mps = 5;
     double max_turn_degps = 360;
+    bool hold_to_odometry = true;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -50,6 +51,10 @@ struct PrealignOptions
         visit(
             "max_turn_degps", s.max_turn_degps,
             "constant velocity: a faster turn is not carried on; > 0");
+        visit(
+            "hold_to_odometry", s.hold_to_odometry,
+            "stay where odometry that has been right so far says, as long as the scan fits there "
+            "about as well as where it was matched");
     }
     void validate() const;
 };

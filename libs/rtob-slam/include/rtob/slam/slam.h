@@ -6,6 +6,7 @@
 #include <rtob/slam/anchor.h>
 #include <rtob/slam/continuity.h>
 #include <rtob/slam/drift.h>
+#include <rtob/slam/guess_errors.h>
 #include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
@@ -85,14 +86,15 @@ class Slam
     [[nodiscard]] Pose2 prealign();
     [[nodiscard]] Match matchGuess(const Pose2& pose_map_init);
     [[nodiscard]] Pose2 predicted() const;
-    [[nodiscard]] Match matchAround(const Pose2& pose_map_init);
-    [[nodiscard]] Match alignAround(const Pose2& pose_map_init);
+    [[nodiscard]] Match matchAround(const Pose2& pose_map_init, IcpReach reach = IcpReach::Far);
+    [[nodiscard]] Match alignAround(const Pose2& pose_map_init, IcpReach reach);
     void drawAround(const Pose2& pose_map_init, const Box& needed_map);
     [[nodiscard]] std::size_t trustedBegin() const;
     [[nodiscard]] bool isDoubtful(const Match& match) const;
     [[nodiscard]] double mostMisled_m(const Pose2& pose_map_init) const;
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
+    void holdToOdometry(const Pose2& pose_map_init, Match& match);
     void doubt(const Pose2& pose_map_init, const std::string& laser, Match& match);
     [[nodiscard]] bool beginsDoubt(
         const Pose2& pose_map_init, const std::string& laser, const Match& match);
@@ -132,6 +134,7 @@ class Slam
 
     Pose2 matched_at_;              ///< in map; where a scan last fitted
     std::size_t scans_of_map_ = 0;  ///< processed since it began, written or not
+    GuessErrors guess_errors_;      ///< of odometry
     Doubt doubt_;                   ///< whether the vehicle has been carried away
     Points points_vehicle_;         ///< of the scan in work
     Points matched_vehicle_;        ///< those of them that are matched
