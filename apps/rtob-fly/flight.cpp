@@ -19,6 +19,9 @@ constexpr double kStep_s = 0.01;
 constexpr double kHeight_m = 1;
 constexpr double kSlow_mps = 0.1;
 constexpr double kRoomToStart_m = 0.1;  // beyond radius and margin
+// A laser that does not see all around is turned around once, on the spot, before it flies.
+constexpr double kLookAround_radps = 1.5;
+constexpr double kLookAround_s = 2 * M_PI / kLookAround_radps;
 
 Vector2d turned(const Vector2d& vector, double angle_rad)
 {
@@ -62,6 +65,8 @@ sim::SimulationOptions simulation_options(const FlightSetup& setup, const Pose2&
     options.start_map = {start_map.x, start_map.y, kHeight_m, 0, 0, start_map.yaw};
     options.laser.noise_m = hard.range_noise_m;
     options.laser.dropout = hard.dropout;
+    options.laser.field_of_view_deg = hard.field_of_view_deg;
+    options.laser.beams = static_cast<int>(hard.field_of_view_deg);  // one a degree
     options.vehicle.radius_m = setup.limits.radius_m;
     options.vehicle.velocity_lag_s = setup.limits.response_s;
     options.vehicle.max_speed_mps = 1.5 * setup.limits.max_speed_mps;
@@ -207,7 +212,8 @@ class Flight
         const double now_s = simulation_.time_s();
         // Twice as often as promised, now and then late.
         next_decision_s_ = now_s + setup_.limits.period_s * (noise_.happens(0.1) ? 1 : 0.5);
-        input_ = pilot_.fly(now_s, simulation_);
+        input_ = looksAround() ? StickInput{Vector2d::Zero(), kLookAround_radps}
+                               : pilot_.fly(now_s, simulation_);
         const double yaw = pose().yaw;
         VehicleMotion motion;
         motion.velocity_vehicle = turned(velocity_map(), -yaw);
@@ -222,6 +228,11 @@ class Flight
         countSides(decision_.bend_rad);
         command_map_ = turned(decision_.velocity_vehicle, yaw);
         link_.send(now_s, command_map_);
+    }
+
+    [[nodiscard]] bool looksAround() const
+    {
+        return setup_.hardship.field_of_view_deg < 360 && simulation_.time_s() < kLookAround_s;
     }
 
     void countSides(double bend_rad)

@@ -25,8 +25,9 @@ struct Hardship
     double velocity_noise_mps = 0.05;
     double pose_noise_m = 0.01;
     double turbulence_mps2 = 0.1;
-    double scan_delay_s = 0.05;  ///< from its last beam until the guard has it
-    bool holds_place = true;     ///< told to stand still, the autopilot holds its place
+    double scan_delay_s = 0.05;      ///< from its last beam until the guard has it
+    bool holds_place = true;         ///< told to stand still, the autopilot holds its place
+    double field_of_view_deg = 360;  ///< the laser's; with less, it looks around once at first
 };
 
 struct FlightSetup
