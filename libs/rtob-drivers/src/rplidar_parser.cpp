@@ -95,6 +95,7 @@ bool RplidarParser::findDescriptor()
     if (!found->is_stream) return true;
     packets_missed_ += capsules_.jumps();
     capsules_ = CapsuleReader(found->type);
+    stamps_ = SteadyStamps(sample_s_ * static_cast<double>(rplidar_beams_of_packet(found->type)));
     add_bounded(replies_, RplidarReply{found->type, true, {}});
     return true;
 }
@@ -119,9 +120,13 @@ bool RplidarParser::readPacket()
     {
         skipByte();
         capsules_.forget();
+        stamps_.forget();
         return true;
     }
+    const auto losses = [this] { return builder_.partial() + capsules_.jumps(); };
+    const auto lost_before = losses();
     addBeams(packet);
+    if (losses() != lost_before) stamps_.forget();
     consume(count);
     ++packets_;
     return true;
@@ -129,7 +134,7 @@ bool RplidarParser::readPacket()
 
 void RplidarParser::addBeams(ByteView packet)
 {
-    const double sent_s = sentAt(first_);
+    const double sent_s = stamps_.sent(sentAt(first_));
     if (descriptor_->type == RplidarAnswer::Standard)
     {
         RplidarBeam beam = read_standard_packet(packet);
