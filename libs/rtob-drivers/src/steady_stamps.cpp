@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/drivers/steady_stamps.h>
 
+#include <algorithm>
+
 namespace rtob
 {
 namespace
 {
-/// A device whose true period is a hundredth longer than it says is then believed 3 ms early.
-constexpr double kMemory_s = 0.3;
-/// No computer is that busy: the device was silent.
-constexpr double kLongestDelay_s = 0.25;
+/// A device whose true period is a hundredth longer than it says is then believed 5 ms early.
+constexpr double kMemory_s = 0.5;
+/// No computer is that busy: the device was silent, though it lost nothing.
+constexpr double kLongestDelay_s = 1;
 }  // namespace
 
 double SteadyStamps::sent(double arrival_s)
@@ -22,6 +24,6 @@ double SteadyStamps::sent(double arrival_s)
     while (static_cast<double>(packet_ - earliest_.front().packet) * period_s_ > kMemory_s)
         earliest_.pop_front();
     ++packet_;
-    return due_s + earliest_.front().late_s;
+    return last_s_ = std::max(last_s_, due_s + earliest_.front().late_s);
 }
 }  // namespace rtob

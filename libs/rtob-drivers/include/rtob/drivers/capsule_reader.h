@@ -30,6 +30,7 @@ class CapsuleReader
     RplidarAnswer type_;
     Bytes previous_;
     double previous_sent_s_ = 0;
+    double previous_took_s_ = 0;  ///< since the one before it
     double usual_turn_deg_ = 0;  ///< between two packets; 0: not known yet
     double last_shaft_deg_ = 0;  ///< of the last beam that was given out
     bool has_last_shaft_ = false;

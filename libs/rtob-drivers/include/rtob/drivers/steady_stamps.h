@@ -13,7 +13,7 @@ class SteadyStamps
     /// @param period_s between two packets; 0: not known, and times pass as they are
     explicit SteadyStamps(double period_s = 0) : period_s_(period_s) {}
 
-    /// Of the next packet.
+    /// Of the next packet; never before the last one.
     [[nodiscard]] double sent(double arrival_s);
 
     /// Packets were lost: when the next one is due is not known.
@@ -27,6 +27,7 @@ class SteadyStamps
     };
     double period_s_;
     std::uint64_t packet_ = 0;
+    double last_s_ = 0;
     std::deque<Arrival> earliest_;  ///< each less late than those after it
 };
 }  // namespace rtob
