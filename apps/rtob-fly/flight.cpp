@@ -128,7 +128,7 @@ class Flight
     FlightResult run(double frame_every_s)
     {
         double next_frame_s = 0;
-        while (simulation_.time_s() < setup_.duration_s)
+        while (simulation_.time_s() < look_around_s_ + setup_.duration_s)
         {
             move();
             deliverScan();
@@ -212,8 +212,8 @@ class Flight
         const double now_s = simulation_.time_s();
         // Twice as often as promised, now and then late.
         next_decision_s_ = now_s + setup_.limits.period_s * (noise_.happens(0.1) ? 1 : 0.5);
-        input_ = looksAround() ? StickInput{Vector2d::Zero(), kLookAround_radps}
-                               : pilot_.fly(now_s, simulation_);
+        input_ = now_s < look_around_s_ ? StickInput{Vector2d::Zero(), kLookAround_radps}
+                                        : pilot_.fly(now_s, simulation_);
         const double yaw = pose().yaw;
         VehicleMotion motion;
         motion.velocity_vehicle = turned(velocity_map(), -yaw);
@@ -228,11 +228,6 @@ class Flight
         countSides(decision_.bend_rad);
         command_map_ = turned(decision_.velocity_vehicle, yaw);
         link_.send(now_s, command_map_);
-    }
-
-    [[nodiscard]] bool looksAround() const
-    {
-        return setup_.hardship.field_of_view_deg < 360 && simulation_.time_s() < kLookAround_s;
     }
 
     void countSides(double bend_rad)
@@ -261,6 +256,7 @@ class Flight
     }
 
     const FlightSetup& setup_;
+    const double look_around_s_ = setup_.hardship.field_of_view_deg < 360 ? kLookAround_s : 0;
     sim::Simulation simulation_;
     std::unique_ptr<Avoider> avoider_;
     Pilot pilot_;
