@@ -10,6 +10,12 @@ namespace
 constexpr double kLong_s = 1e9;
 }  // namespace
 
+void CapsuleReader::forget()
+{
+    previous_.clear();
+    stamps_.forget();
+}
+
 std::vector<RplidarBeam> CapsuleReader::read(ByteView packet, double sent_s)
 {
     std::vector<RplidarBeam> beams;
@@ -19,10 +25,14 @@ std::vector<RplidarBeam> CapsuleReader::read(ByteView packet, double sent_s)
         double turn_deg = packet_shaft_deg(packet) - packet_shaft_deg(previous_);
         if (turn_deg < 0) turn_deg += 360;
         if (isJump(turn_deg))
+        {
             ++jumps_;
+            stamps_.forget();
+        }
         else
             beams = read_packet(type_, previous_, packet, turn_deg);
     }
+    sent_s = stamps_.sent(sent_s);
     stampBeams(beams, sent_s);
     has_last_shaft_ = !beams.empty();
     if (has_last_shaft_) last_shaft_deg_ = beams.back().shaft_deg;

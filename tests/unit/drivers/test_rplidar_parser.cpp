@@ -99,10 +99,14 @@ TEST_P(AllModes, EveryBeamLooksWhereItWasTaken)
     EXPECT_EQ(0u, parser.counters().stray_beams);
 }
 
+constexpr auto always = [](double) { return true; };
+
 /// As a line delivers them: each byte when the device has sent it, or when it is read.
 /// @param is_read whether what came is read at a time since the begin [s]
-template <class IsRead>
-std::vector<RplidarRevolution> turns_in_time(const ModelMode& param, IsRead is_read)
+/// @param arrives whether a packet of that time is not lost
+template <class IsRead, class Arrives>
+std::vector<RplidarRevolution> turns_in_time(
+    const ModelMode& param, IsRead is_read, Arrives arrives)
 {
     const auto model = param.model();
     RplidarParser parser(10.0 / model.baud);
@@ -117,7 +121,8 @@ std::vector<RplidarRevolution> turns_in_time(const ModelMode& param, IsRead is_r
     for (double t = 0; t < 1; t += 1e-3)
     {
         if (!is_read(t)) continue;
-        for (const auto& packet : device.send(begin_s + t)) parser.push(packet, begin_s + t);
+        for (const auto& packet : device.send(begin_s + t))
+            if (arrives(t)) parser.push(packet, begin_s + t);
         while (auto turn = parser.takeRevolution()) turns.push_back(std::move(*turn));
     }
     return turns;
@@ -134,7 +139,7 @@ void expect_true_times(const devices::RplidarModel& model, const RplidarRevoluti
 TEST_P(AllModes, ATurnHasItsBeamsAndItsTime)
 {
     const auto model = GetParam().model();
-    const auto turns = turns_in_time(GetParam(), [](double) { return true; });
+    const auto turns = turns_in_time(GetParam(), always, always);
     ASSERT_GE(turns.size(), 3u);
     const double beams = 1 / (model.turns_hz * model.modes[GetParam().mode].sample_s);
     for (const auto& turn : turns)
@@ -149,7 +154,7 @@ TEST_P(AllModes, ATurnHasItsTimeOnABusyComputer)
     const auto model = GetParam().model();
     const auto is_read = [](double t)
     { return !(t > 0.2 && t < 0.5) && !(t > 0.55 && t < 0.63) && !(t > 0.8 && t < 0.95); };
-    const auto turns = turns_in_time(GetParam(), is_read);
+    const auto turns = turns_in_time(GetParam(), is_read, always);
     ASSERT_GE(turns.size(), 3u);
     for (const auto& turn : turns) expect_true_times(model, turn);
 }
@@ -163,12 +168,25 @@ TEST_P(AllModes, TurnsNeverStepBackInTime)
     {
         const auto is_read = [&](double t) { return t < delay_begin_s || t > delay_begin_s + 0.6; };
         double last_s = begin_s - 1;
-        for (const auto& turn : turns_in_time(GetParam(), is_read))
+        for (const auto& turn : turns_in_time(GetParam(), is_read, always))
         {
             EXPECT_GE(turn.start_s, last_s) << delay_begin_s;
             EXPECT_GE(turn.sweep_s, 0) << delay_begin_s;
             last_s = turn.start_s;
         }
+    }
+}
+
+/// Whole packets, as when a buffer was full: nothing but the head's angle tells. At each part of a
+/// turn.
+TEST_P(AllModes, ATurnHasItsTimeAfterPacketsWereLost)
+{
+    const auto model = GetParam().model();
+    for (double loss_s = 0.3; loss_s < 0.3 + 1 / model.turns_hz; loss_s += 2e-3)
+    {
+        const auto arrives = [&](double t) { return t < loss_s || t > loss_s + 0.15; };
+        for (const auto& turn : turns_in_time(GetParam(), always, arrives))
+            expect_true_times(model, turn);
     }
 }
 

@@ -55,7 +55,8 @@ class RplidarParser
     double arrival_s_ = 0;  ///< of the last of them
     std::optional<RplidarDescriptor> descriptor_;
     double sample_s_ = 0;
-    SteadyStamps stamps_;
+    SteadyStamps stamps_;  ///< of a standard scan's beams
+    double last_shaft_deg_ = 0;
     CapsuleReader capsules_{RplidarAnswer::Express};
     RevolutionBuilder builder_;
     std::deque<RplidarReply> replies_;
