@@ -35,7 +35,7 @@ struct FlightSetup
     std::string avoider = "guard";
     PilotKind pilot = PilotKind::Scripted;
     std::uint64_t seed = 1;
-    double duration_s = 60;  ///< after a look around
+    double duration_s = 60;          ///< after a look around
     std::optional<Pose2> start_map;  ///< else drawn in the world's area
     VehicleLimits limits;
     GuardOptions options;
