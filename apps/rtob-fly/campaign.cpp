@@ -77,6 +77,7 @@ NumberedFlight numbered_flight(const CampaignPlan& plan, std::uint64_t number)
     flight.setup.pilot = nth(plan.pilots, rest);
     flight.setup.hardship.always_latest = rest % 2 == 0;
     flight.setup.hardship.holds_place = plan.holds_place;
+    flight.setup.hardship.field_of_view_deg = plan.field_of_view_deg;
     flight.setup.seed = number + 1;
     flight.setup.duration_s = plan.duration_s;
     flight.setup.limits = fly_limits();
@@ -119,7 +120,7 @@ CampaignTally run_campaign(
     return tally;
 }
 
-DoorTally try_doors(const std::string& avoider, int tries)
+DoorTally try_doors(const std::string& avoider, int tries, double field_of_view_deg)
 {
     DoorTally doors;
     Random random(1);
@@ -130,13 +131,16 @@ DoorTally try_doors(const std::string& avoider, int tries)
         setup.pilot = PilotKind::Straight;
         setup.seed = static_cast<std::uint64_t>(i) + 1;
         setup.duration_s = kDoorFlight_s;
+        setup.hardship.field_of_view_deg = field_of_view_deg;
         setup.limits = fly_limits();
         setup.options = fly_options();
         const double width_m = 2 * setup.limits.clearance() + kDoorSpare_m;
         const FlyWorld world = door_world(width_m, i % 2 == 0 ? 0.1 : 0.4);
-        // Straight along +x, up to half a vehicle off the door's middle, looking anywhere.
-        setup.start_map =
-            Pose2{1.2, (random.uniform() - 0.5) * 2 * setup.limits.radius_m, 6 * random.uniform()};
+        // Straight along +x, up to half a vehicle off the door's middle.
+        const double off_m = (random.uniform() - 0.5) * 2 * setup.limits.radius_m;
+        const double yaw_rad =
+            field_of_view_deg < 360 ? random.uniform() - 0.5 : 6 * random.uniform();
+        setup.start_map = Pose2{1.2, off_m, yaw_rad};
         const FlightResult result = fly(world, setup);
         ++doors.tries;
         doors.passed += result.end_map.x > 4 && result.contacts == 0 ? 1 : 0;

@@ -17,7 +17,8 @@ struct CampaignPlan
     std::uint64_t flights = 12;
     std::uint64_t first = 0;  ///< number of the first flight, which decides world, pilot and seed
     double duration_s = 60;
-    bool holds_place = true;  ///< Hardship's
+    bool holds_place = true;         ///< Hardship's
+    double field_of_view_deg = 360;  ///< Hardship's
     unsigned jobs = 1;
 };
 
@@ -48,11 +49,13 @@ struct NumberedFlight
 [[nodiscard]] CampaignTally run_campaign(
     const CampaignPlan& plan, const std::function<void(std::uint64_t)>& progress);
 
-/// How many of so many flights straight at a door, off its middle and askew, end behind it.
+/// How many of so many flights straight at a door, off its middle and askew, end behind it. A laser
+/// that does not see all around looks towards the door.
 struct DoorTally
 {
     int tries = 0, passed = 0;
     CampaignTally flights;
 };
-[[nodiscard]] DoorTally try_doors(const std::string& avoider, int tries);
+[[nodiscard]] DoorTally try_doors(
+    const std::string& avoider, int tries, double field_of_view_deg = 360);
 }  // namespace rtob::fly

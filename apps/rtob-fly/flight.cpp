@@ -19,6 +19,9 @@ constexpr double kStep_s = 0.01;
 constexpr double kHeight_m = 1;
 constexpr double kSlow_mps = 0.1;
 constexpr double kRoomToStart_m = 0.1;  // beyond radius and margin
+// A laser that does not see all around is turned around once, on the spot, before it flies.
+constexpr double kLookAround_radps = 1.5;
+constexpr double kLookAround_s = 2 * M_PI / kLookAround_radps;
 
 Vector2d turned(const Vector2d& vector, double angle_rad)
 {
@@ -62,6 +65,8 @@ sim::SimulationOptions simulation_options(const FlightSetup& setup, const Pose2&
     options.start_map = {start_map.x, start_map.y, kHeight_m, 0, 0, start_map.yaw};
     options.laser.noise_m = hard.range_noise_m;
     options.laser.dropout = hard.dropout;
+    options.laser.field_of_view_deg = hard.field_of_view_deg;
+    options.laser.beams = static_cast<int>(hard.field_of_view_deg);  // one a degree
     options.vehicle.radius_m = setup.limits.radius_m;
     options.vehicle.velocity_lag_s = setup.limits.response_s;
     options.vehicle.max_speed_mps = 1.5 * setup.limits.max_speed_mps;
@@ -123,7 +128,7 @@ class Flight
     FlightResult run(double frame_every_s)
     {
         double next_frame_s = 0;
-        while (simulation_.time_s() < setup_.duration_s)
+        while (simulation_.time_s() < look_around_s_ + setup_.duration_s)
         {
             move();
             deliverScan();
@@ -207,7 +212,8 @@ class Flight
         const double now_s = simulation_.time_s();
         // Twice as often as promised, now and then late.
         next_decision_s_ = now_s + setup_.limits.period_s * (noise_.happens(0.1) ? 1 : 0.5);
-        input_ = pilot_.fly(now_s, simulation_);
+        input_ = now_s < look_around_s_ ? StickInput{Vector2d::Zero(), kLookAround_radps}
+                                        : pilot_.fly(now_s, simulation_);
         const double yaw = pose().yaw;
         VehicleMotion motion;
         motion.velocity_vehicle = turned(velocity_map(), -yaw);
@@ -250,6 +256,7 @@ class Flight
     }
 
     const FlightSetup& setup_;
+    const double look_around_s_ = setup_.hardship.field_of_view_deg < 360 ? kLookAround_s : 0;
     sim::Simulation simulation_;
     std::unique_ptr<Avoider> avoider_;
     Pilot pilot_;

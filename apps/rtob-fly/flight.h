@@ -25,8 +25,9 @@ struct Hardship
     double velocity_noise_mps = 0.05;
     double pose_noise_m = 0.01;
     double turbulence_mps2 = 0.1;
-    double scan_delay_s = 0.05;  ///< from its last beam until the guard has it
-    bool holds_place = true;     ///< told to stand still, the autopilot holds its place
+    double scan_delay_s = 0.05;      ///< from its last beam until the guard has it
+    bool holds_place = true;         ///< told to stand still, the autopilot holds its place
+    double field_of_view_deg = 360;  ///< the laser's; with less, it looks around once at first
 };
 
 struct FlightSetup
@@ -34,7 +35,7 @@ struct FlightSetup
     std::string avoider = "guard";
     PilotKind pilot = PilotKind::Scripted;
     std::uint64_t seed = 1;
-    double duration_s = 60;
+    double duration_s = 60;          ///< after a look around
     std::optional<Pose2> start_map;  ///< else drawn in the world's area
     VehicleLimits limits;
     GuardOptions options;

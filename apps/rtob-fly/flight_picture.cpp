@@ -119,7 +119,8 @@ void draw_legend(cv::Mat& image, int y)
 {
     int x = 8;
     for (const GuardReason reason :
-         {GuardReason::Free, GuardReason::Guided, GuardReason::Slowed, GuardReason::Blocked})
+         {GuardReason::Free, GuardReason::Guided, GuardReason::Slowed, GuardReason::Blocked,
+          GuardReason::NoData})
     {
         const std::string name(name_of(reason));
         cv::line(image, {x, y - 4}, {x + 16, y - 4}, colour_of(reason), 3, cv::LINE_AA);

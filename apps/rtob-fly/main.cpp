@@ -27,7 +27,7 @@ struct Flags
     std::string world = "flat", pilot = "scripted", avoider = "guard", folder = "out/fly";
     std::uint64_t seed = 1, flights = 240, first = 0;
     int doors = 60;
-    double duration_s = 60;
+    double duration_s = 60, field_of_view_deg = 360;
     bool drifts = false;
     unsigned jobs = 1;
 };
@@ -46,6 +46,7 @@ int show(const Flags& flags)
     setup.pilot = parse_enum<PilotKind>(flags.pilot);
     setup.seed = flags.seed;
     setup.duration_s = flags.duration_s;
+    setup.hardship.field_of_view_deg = flags.field_of_view_deg;
     setup.limits = fly_limits();
     setup.options = fly_options();
     const FlyWorld world = make_fly_world(flags.world);
@@ -69,6 +70,7 @@ CampaignPlan plan_of(const Flags& flags)
     plan.first = flags.first;
     plan.duration_s = flags.duration_s;
     plan.holds_place = !flags.drifts;
+    plan.field_of_view_deg = flags.field_of_view_deg;
     plan.jobs = flags.jobs > 0 ? flags.jobs : std::thread::hardware_concurrency();
     return plan;
 }
@@ -100,7 +102,9 @@ int compare(const Flags& flags)
     {
         CampaignPlan plan = plan_of(flags);
         plan.avoider = name;
-        std::cout << tally_row(name, run_with_progress(plan), try_doors(name, flags.doors))
+        std::cout << tally_row(
+                         name, run_with_progress(plan),
+                         try_doors(name, flags.doors, flags.field_of_view_deg))
                   << std::flush;
     }
     return kOk;
@@ -118,6 +122,9 @@ int run(int argc, char** argv)
         verb->add_option("--duration", flags.duration_s, "of a flight")
             ->type_name("SECONDS")
             ->check(CLI::PositiveNumber);
+        verb->add_option("--fov", flags.field_of_view_deg, "what the laser sees around its front")
+            ->type_name("DEGREES")
+            ->check(CLI::Range(30, 360));
         return verb;
     };
     const auto add_many = [&](CLI::App* verb)

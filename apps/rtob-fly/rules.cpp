@@ -108,9 +108,13 @@ int CollisionPrevention::guided(int wished_sector) const
     for (int off = -kGuideSectors; off <= kGuideSectors; ++off)
     {
         const int sector = wished_sector + off;
+        if (ranges_.at(sector).range_m == 0) continue;
         double mean_m = 0;
         for (int beside = -1; beside <= 1; ++beside)
-            mean_m += ranges_.at(sector + beside).range_m / 3;
+        {
+            const double range_m = ranges_.at(sector + beside).range_m;
+            mean_m += (range_m == 0 ? limits_.clearance() : range_m) / 3;
+        }
         const double cost = limits_.clearance() * kDeviationCost * std::abs(off) - 100 * mean_m -
                             100 * ranges_.at(sector).range_m;
         if (cost >= least_cost) continue;
@@ -149,6 +153,7 @@ GuardDecision CollisionPrevention::decide(
     const double wished_rad = std::atan2(wish_vehicle.y(), wish_vehicle.x());
     const int wished_sector = ranges_.sectorAt(wished_rad);
     const int sector = guided(wished_sector);
+    if (ranges_.at(sector).range_m == 0) return answer(wish_vehicle, Vector2d::Zero());
     const double bend_rad = (sector - wished_sector) * ranges_.bearingOf(1);
     const double bearing_rad = wished_rad + bend_rad;
     const double speed_mps =

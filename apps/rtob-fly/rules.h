@@ -31,7 +31,8 @@ class SectorRanges
 };
 
 /// PX4's Collision Prevention in its velocity form: 72 sectors; guidance by the cheapest sector;
-/// in each sector ahead the speed from which it can stop, after delay and age of the data.
+/// in each sector ahead the speed from which it can stop, after delay and age of the data. No data
+/// where the way leads: no motion (CP_GO_NO_DATA 0).
 class CollisionPrevention : public Avoider
 {
  public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
 #include <rtob/drivers/register_drivers.h>
+#include <rtob/drivers/unix_time.h>
 #include <rtob/map/config_file.h>
 #include <unistd.h>
 
@@ -52,6 +53,7 @@ int main(int argc, char** argv)
     // Some of MRPT's functions wait for a key when something fails: there is none to press.
     if (const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC); nothing >= 0)
         dup2(nothing, STDIN_FILENO);
+    rtob::keep_time_from_now_on();
     std::signal(SIGPIPE, SIG_IGN);  // a laser that hangs up while MRPT writes to it
     CLI::App program(
         "Localises and maps live, with any sensor of MRPT; no screen needed.", "rtob-onboard");

@@ -11,7 +11,7 @@ parsers=("$@")
 share/scripts/install-packages.sh fuzz
 drivers=libs/rtob-drivers
 declare -A sources=(
-    [rplidar]="beam_grid capsule_reader revolution_builder rplidar_packets rplidar_parser rplidar_protocol"
+    [rplidar]="beam_grid capsule_reader revolution_builder rplidar_packets rplidar_parser rplidar_protocol steady_stamps"
     [mavlink]="mavlink_frame"
 )
 mkdir -p build/fuzz

@@ -100,6 +100,7 @@ void RtobLogPlayer::takeIn(LogEntry entry)
     }
     if (is_a_programs_own(*entry.observation)) return;
     const bool has_time = entry.observation->timestamp != INVALID_TIMESTAMP;
+    if (!has_time && !first_log_s_) return;  // nobody knows when
     const double log_s =
         has_time ? mrpt::Clock::toDouble(entry.observation->timestamp) : last_log_s_;
     last_log_s_ = log_s;

@@ -204,6 +204,7 @@ void RplidarDevice::startScan()
                                       : rplidar_request(
                                             RplidarCommand::ExpressScan,
                                             {static_cast<std::uint8_t>(mode_.id), 0, 0, 0, 0});
+    parser_.setSampleTime(mode_.sample_s);
     if (!ask(request, mode_.type, kScanPatience))
         throw PortError(
             "RPLidar " + info_.modelName() + " on " + port_->device() +

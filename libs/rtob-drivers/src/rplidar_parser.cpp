@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/drivers/rplidar_parser.h>
 
+#include <cmath>
+
 namespace rtob
 {
 namespace
 {
 /// A consumer that stalls keeps the newest; each side holds a second or so.
 constexpr std::size_t kMostWaiting = 16;
+/// Several beams of a standard scan.
+constexpr double kJump_deg = 5;
 
 template <class Item>
 std::optional<Item> take_first(std::deque<Item>& items)
@@ -94,7 +98,9 @@ bool RplidarParser::findDescriptor()
     descriptor_ = found;
     if (!found->is_stream) return true;
     packets_missed_ += capsules_.jumps();
-    capsules_ = CapsuleReader(found->type);
+    capsules_ = CapsuleReader(
+        found->type, sample_s_ * static_cast<double>(rplidar_beams_of_packet(found->type)));
+    stamps_ = SteadyStamps(sample_s_);
     add_bounded(replies_, RplidarReply{found->type, true, {}});
     return true;
 }
@@ -119,6 +125,7 @@ bool RplidarParser::readPacket()
     {
         skipByte();
         capsules_.forget();
+        stamps_.forget();
         return true;
     }
     addBeams(packet);
@@ -129,15 +136,17 @@ bool RplidarParser::readPacket()
 
 void RplidarParser::addBeams(ByteView packet)
 {
-    const double sent_s = sentAt(first_);
     if (descriptor_->type == RplidarAnswer::Standard)
     {
         RplidarBeam beam = read_standard_packet(packet);
-        beam.time_s = sent_s;
+        if (std::abs(std::remainder(beam.shaft_deg - last_shaft_deg_, 360.0)) > kJump_deg)
+            stamps_.forget();  // packets were lost
+        last_shaft_deg_ = beam.shaft_deg;
+        beam.time_s = stamps_.sent(sentAt(first_));
         addBeam(beam);
         return;
     }
-    for (const auto& beam : capsules_.read(packet, sent_s)) addBeam(beam);
+    for (const auto& beam : capsules_.read(packet, sentAt(first_))) addBeam(beam);
 }
 
 void RplidarParser::addBeam(const RplidarBeam& beam)

@@ -52,6 +52,32 @@ TEST_F(Onboard, RefusesAnUnknownDriverAndAnUnknownKey)
     EXPECT_EQ(2, run_program(RTOB_ONBOARD, {}).exit_code);
 }
 
+/// As when a computer without a clock on board hears of the time in flight.
+TEST_F(Onboard, FliesOnWhenTheComputersClockIsSetBack)
+{
+    EmulatedAutopilot autopilot;
+    const RplidarOnTerminal laser(laserPort(), devices::model_a2(), house_from(unix_time_s()));
+    const std::string step = folder_.file("clock-is-set-back");
+    RunningProgram program(
+        "/usr/bin/env",
+        {"LD_PRELOAD=" RTOB_STEPPED_CLOCK, "RTOB_CLOCK_STEPS_WITH=" + step, RTOB_ONBOARD,
+         write(
+             "[Autopilot]\nlink = udp:127.0.0.1:" + std::to_string(autopilot.port()) +
+             "\npose_hz = 30\n")});
+    ASSERT_TRUE(states_.waitForMore(20));
+    static_cast<void>(folder_.write("clock-is-set-back", ""));
+    const auto poses = autopilot.poses().size(), heartbeats = autopilot.heartbeats();
+    ASSERT_TRUE(states_.waitForMore(30));
+    program.send(SIGTERM);
+    const auto result = program.wait();
+    EXPECT_EQ(0, result.exit_code) << result.err;
+    EXPECT_GT(autopilot.poses().size(), poses + 30);
+    EXPECT_GT(autopilot.heartbeats(), heartbeats + 1);
+    const auto capture = read_capture(logged(flights()[0]));
+    EXPECT_TRUE(std::is_sorted(capture.scans.begin(), capture.scans.end()));
+    EXPECT_GE(capture.poses.size(), 50u);
+}
+
 TEST_F(Onboard, AFullDiskStopsTheCaptureAlone)
 {
     const RplidarOnTerminal laser(laserPort(), devices::model_a2(), house_from(unix_time_s()));

@@ -137,14 +137,18 @@ TEST_F(LogPlayerTest, LeavesOutWhatALiveProgramAdded)
     EXPECT_FLOAT_EQ(0.5f, dynamic_cast<const CObservation2DRangeScan&>(*played[1]).getScanRange(0));
 }
 
-TEST_F(LogPlayerTest, MotionsAddUpToOdometry)
+class MotionLog : public LogPlayerTest
 {
+ protected:
+    /// Three times a motion of one metre ahead and a quarter turn, and a scan after it.
+    void write(bool motions_have_stamps)
     {
         CaptureFile file(log_);
         for (int i = 0; i < 3; ++i)
         {
             mrpt::obs::CActionRobotMovement2D motion;
-            motion.timestamp = mrpt::Clock::fromDouble(1000 + 0.1 * i);
+            motion.timestamp =
+                motions_have_stamps ? mrpt::Clock::fromDouble(1000 + 0.1 * i) : INVALID_TIMESTAMP;
             motion.computeFromOdometry({1, 0, M_PI / 2}, {});
             mrpt::obs::CActionCollection actions;
             actions.insert(motion);
@@ -155,18 +159,39 @@ TEST_F(LogPlayerTest, MotionsAddUpToOdometry)
         }
         file.flush();
     }
+    std::vector<mrpt::poses::CPose2D> odometryOf(std::size_t observations_to_come)
+    {
+        std::vector<mrpt::poses::CPose2D> poses;
+        for (const auto& observation : observations(observations_to_come))
+            if (const auto* odometry =
+                    dynamic_cast<const mrpt::obs::CObservationOdometry*>(observation.get()))
+                poses.push_back(odometry->odometry);
+        return poses;
+    }
+};
+
+TEST_F(MotionLog, MotionsAddUpToOdometry)
+{
+    write(true);
     play("speed = 100\n");
-    std::vector<mrpt::poses::CPose2D> poses;
-    for (const auto& observation : observations(6))
-        if (const auto* odometry =
-                dynamic_cast<const mrpt::obs::CObservationOdometry*>(observation.get()))
-            poses.push_back(odometry->odometry);
+    const auto poses = odometryOf(6);
     ASSERT_EQ(3u, poses.size());
     // A metre ahead, then left; a metre up, then left; a metre back.
     EXPECT_NEAR(1, poses[0].x(), 1e-9);
     EXPECT_NEAR(1, poses[1].y(), 1e-9);
     EXPECT_NEAR(0, poses[2].x(), 1e-9);
     EXPECT_NEAR(1, poses[2].y(), 1e-9);
+}
+
+// As in MRPT's localization_demo.rawlog. The first one is before all time, but it counts.
+TEST_F(MotionLog, MotionsWithoutStampsComeWithWhatIsBeforeThem)
+{
+    write(false);
+    play("speed = 100\n");
+    const auto poses = odometryOf(5);
+    ASSERT_EQ(2u, poses.size());
+    EXPECT_NEAR(1, poses[0].y(), 1e-9);
+    EXPECT_NEAR(0, poses[1].x(), 1e-9);
 }
 
 TEST_F(LogPlayerTest, SaysWhatIsWrongWithTheLog)

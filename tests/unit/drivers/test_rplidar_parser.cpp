@@ -99,37 +99,94 @@ TEST_P(AllModes, EveryBeamLooksWhereItWasTaken)
     EXPECT_EQ(0u, parser.counters().stray_beams);
 }
 
+constexpr auto always = [](double) { return true; };
+
+/// As a line delivers them: each byte when the device has sent it, or when it is read.
+/// @param is_read whether what came is read at a time since the begin [s]
+/// @param arrives whether a packet of that time is not lost
+template <class IsRead, class Arrives>
+std::vector<RplidarRevolution> turns_in_time(
+    const ModelMode& param, IsRead is_read, Arrives arrives)
+{
+    const auto model = param.model();
+    RplidarParser parser(10.0 / model.baud);
+    parser.setSampleTime(model.modes[param.mode].sample_s);
+    RplidarEmulator device(model, telling_range);
+    device.receive(
+        rplidar_request(
+            param.mode == 0 ? RplidarCommand::Scan : RplidarCommand::ExpressScan,
+            {static_cast<std::uint8_t>(param.mode), 0, 0, 0, 0}),
+        begin_s);
+    std::vector<RplidarRevolution> turns;
+    for (double t = 0; t < 1; t += 1e-3)
+    {
+        if (!is_read(t)) continue;
+        for (const auto& packet : device.send(begin_s + t))
+            if (arrives(t)) parser.push(packet, begin_s + t);
+        while (auto turn = parser.takeRevolution()) turns.push_back(std::move(*turn));
+    }
+    return turns;
+}
+
+void expect_true_times(const devices::RplidarModel& model, const RplidarRevolution& turn)
+{
+    EXPECT_NEAR(1 / model.turns_hz, turn.sweep_s, 2.5e-3);  // seen at whole milliseconds
+    // The head passes 0 at the start; in packets the beam before it may count as the first.
+    const double turns_done = (turn.start_s - begin_s) * model.turns_hz;
+    EXPECT_NEAR(std::round(turns_done), turns_done, 2.5e-3 * model.turns_hz);
+}
+
 TEST_P(AllModes, ATurnHasItsBeamsAndItsTime)
 {
     const auto model = GetParam().model();
-    RplidarParser parser(10.0 / model.baud);
-    const Bytes bytes = recorded(model, GetParam().mode, 1.0);
-    // As a line delivers them: each byte when the device has sent it.
-    RplidarEmulator device(model, telling_range);
-    const double sample_s = model.modes[GetParam().mode].sample_s;
-    device.receive(
-        rplidar_request(
-            GetParam().mode == 0 ? RplidarCommand::Scan : RplidarCommand::ExpressScan,
-            {static_cast<std::uint8_t>(GetParam().mode), 0, 0, 0, 0}),
-        begin_s);
-    std::vector<RplidarRevolution> turns;
-    for (double t = begin_s; t < begin_s + 1; t += 1e-3)
-    {
-        Bytes arrived;
-        for (const auto& packet : device.send(t))
-            arrived.insert(arrived.end(), packet.begin(), packet.end());
-        if (!arrived.empty()) parser.push(arrived, t);
-        while (auto turn = parser.takeRevolution()) turns.push_back(std::move(*turn));
-    }
+    const auto turns = turns_in_time(GetParam(), always, always);
     ASSERT_GE(turns.size(), 3u);
-    const double beams = 1 / (model.turns_hz * sample_s);
+    const double beams = 1 / (model.turns_hz * model.modes[GetParam().mode].sample_s);
     for (const auto& turn : turns)
     {
         EXPECT_NEAR(beams, static_cast<double>(turn.beams.size()), 1.5);
-        EXPECT_NEAR(1 / model.turns_hz, turn.sweep_s, 2.5e-3);  // seen at whole milliseconds
-        // The head passes 0 at the start; in packets the beam before it may count as the first.
-        const double turns_done = (turn.start_s - begin_s) * model.turns_hz;
-        EXPECT_NEAR(std::round(turns_done), turns_done, 2.5e-3 * model.turns_hz);
+        expect_true_times(model, turn);
+    }
+}
+
+TEST_P(AllModes, ATurnHasItsTimeOnABusyComputer)
+{
+    const auto model = GetParam().model();
+    const auto is_read = [](double t)
+    { return !(t > 0.2 && t < 0.5) && !(t > 0.55 && t < 0.63) && !(t > 0.8 && t < 0.95); };
+    const auto turns = turns_in_time(GetParam(), is_read, always);
+    ASSERT_GE(turns.size(), 3u);
+    for (const auto& turn : turns) expect_true_times(model, turn);
+}
+
+/// A delay that nothing can make good: late times, but no turn before the last one. It hits each
+/// part of a turn.
+TEST_P(AllModes, TurnsNeverStepBackInTime)
+{
+    const double turn_s = 1 / GetParam().model().turns_hz;
+    for (double delay_begin_s = 0.1; delay_begin_s < 0.1 + turn_s; delay_begin_s += 6e-3)
+    {
+        const auto is_read = [&](double t) { return t < delay_begin_s || t > delay_begin_s + 0.6; };
+        double last_s = begin_s - 1;
+        for (const auto& turn : turns_in_time(GetParam(), is_read, always))
+        {
+            EXPECT_GE(turn.start_s, last_s) << delay_begin_s;
+            EXPECT_GE(turn.sweep_s, 0) << delay_begin_s;
+            last_s = turn.start_s;
+        }
+    }
+}
+
+/// Whole packets, as when a buffer was full: nothing but the head's angle tells. At each part of a
+/// turn.
+TEST_P(AllModes, ATurnHasItsTimeAfterPacketsWereLost)
+{
+    const auto model = GetParam().model();
+    for (double loss_s = 0.3; loss_s < 0.3 + 1 / model.turns_hz; loss_s += 2e-3)
+    {
+        const auto arrives = [&](double t) { return t < loss_s || t > loss_s + 0.15; };
+        for (const auto& turn : turns_in_time(GetParam(), always, arrives))
+            expect_true_times(model, turn);
     }
 }
 

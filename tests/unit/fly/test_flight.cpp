@@ -34,6 +34,16 @@ TEST(Flight, TheGuardTouchesNothing)
     EXPECT_GT(tally.flown_m, 24 * 2.0);  // it does fly
 }
 
+// What is out of view was in view: the memory.
+TEST(Flight, TheGuardTouchesNothingThatItsLaserDoesNotSeeAnyMore)
+{
+    CampaignPlan plan = short_plan("guard");
+    plan.field_of_view_deg = 270;
+    const CampaignTally tally = flown(plan);
+    EXPECT_EQ(tally.contacts, 0u) << tally_notes(tally);
+    EXPECT_GT(tally.flown_m, 24 * 1.0);
+}
+
 // Else the flight above would show nothing.
 TEST(Flight, ThePilotAloneTouchesWalls)
 {

@@ -39,6 +39,22 @@ TEST(CollisionPrevention, StopsWithOldData)
     EXPECT_TRUE(decided(rule, 0.6, {1, 0}).velocity_vehicle.isZero());
 }
 
+// Only the left half is seen.
+TEST(CollisionPrevention, DoesNotFlyWhereNothingIsKnown)
+{
+    const auto seen = wall_ahead();
+    GuardScan left = seen.scan;
+    left.beams = 181;
+    CollisionPrevention rule{VehicleLimits()};
+    rule.observe(left, {});
+    EXPECT_TRUE(rule.decide(0.05, {0, -1}, {}).velocity_vehicle.isZero());
+    EXPECT_EQ(rule.decide(0.05, {-0.5, 0.5}, {}).velocity_vehicle, Vector2d(-0.5, 0.5));
+    // A little into the unknown: guided to what was seen.
+    const GuardDecision bent = rule.decide(0.05, {0.5, -0.1}, {});
+    EXPECT_GT(bent.bend_rad, 5 * M_PI / 180);
+    EXPECT_GT(bent.velocity_vehicle.norm(), 0);
+}
+
 TEST(SimpleAvoidance, CapsTheSpeedTowardsAWallOnly)
 {
     SimpleAvoidance rule{VehicleLimits()};

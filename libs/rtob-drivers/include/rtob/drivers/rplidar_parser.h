@@ -2,6 +2,7 @@
 #pragma once
 #include <rtob/drivers/capsule_reader.h>
 #include <rtob/drivers/revolution_builder.h>
+#include <rtob/drivers/steady_stamps.h>
 
 #include <deque>
 #include <optional>
@@ -30,6 +31,9 @@ class RplidarParser
     /// A request was sent: only a descriptor counts now, and what comes before it is of the past.
     void expectReply();
 
+    /// How long a beam takes in the scan that is to come, as the device says; 0: not known.
+    void setSampleTime(double sample_s) { sample_s_ = sample_s; }
+
     [[nodiscard]] std::optional<RplidarReply> takeReply();
     [[nodiscard]] std::optional<RplidarRevolution> takeRevolution();
     [[nodiscard]] RplidarCounters counters() const;
@@ -50,6 +54,9 @@ class RplidarParser
     std::size_t first_ = 0;
     double arrival_s_ = 0;  ///< of the last of them
     std::optional<RplidarDescriptor> descriptor_;
+    double sample_s_ = 0;
+    SteadyStamps stamps_;  ///< of a standard scan's beams
+    double last_shaft_deg_ = 0;
     CapsuleReader capsules_{RplidarAnswer::Express};
     RevolutionBuilder builder_;
     std::deque<RplidarReply> replies_;
