@@ -77,6 +77,14 @@ class Settling(unittest.TestCase):
         self.assertEqual(experiment_changes.settled_after([(t, 0.5) for t in range(60)]), 0)
         self.assertIsNone(experiment_changes.settled_after([(t, 1.5) for t in range(60)]))
 
+    def test_a_frame_that_has_moved_rests_where_it_is(self):
+        curve = [(t, 5.0 if t < 10 else 2.0 + 1.5j) for t in range(2, 60)]
+        end = experiment_changes.shift_at_end(curve)
+        self.assertEqual(end, 2.0 + 1.5j)
+        self.assertIsNone(experiment_changes.settled_after(curve))
+        self.assertEqual(experiment_changes.settled_after(curve, end), 9)
+        self.assertEqual(experiment_changes.row_of("x", [curve]), ["x", "never", "9", "5.0", "2.50"])
+
 
 if __name__ == "__main__":
     unittest.main()
