@@ -74,6 +74,8 @@ def experiment(_):
     for name, each in times.items():
         for what, part in (("", each), (" after the first ten minutes", each[6000:])):
             slope, error = slope_ms_per_hour(part)
+            if math.isnan(slope):
+                continue  # too few scans
             yield (f"Slope of the median, {name}{what}: {slope:+.3f} ms an hour, standard error"
                    f" {error:.3f}")
     yield from parts_table(run(log, 1, folder / "parts") / "timing.csv")
