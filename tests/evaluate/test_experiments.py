@@ -14,6 +14,8 @@ import experiment_changes  # noqa: E402
 import experiment_compare  # noqa: E402
 import experiment_envelope  # noqa: E402
 import experiment_hour  # noqa: E402
+import experiment_loops  # noqa: E402
+import trajectories  # noqa: E402
 
 
 def run(rms_cm, p50_ms=1.0, revisit_cm=2.0):
@@ -48,6 +50,22 @@ class Envelope(unittest.TestCase):
                          "5, the fastest tried")
         self.assertEqual(experiment_envelope.largest([1, 2, 3, 5], is_tracked, 2), "2")
         self.assertEqual(experiment_envelope.largest([4], is_tracked, 1), "below 4")
+
+
+class Loops(unittest.TestCase):
+    def test_the_worst_seed_and_the_median_of_both_figures(self):
+        self.assertEqual(experiment_loops.cell([[10, 1], [30, 2], [20, 9]]),
+                         "30.0 (20.0), 9.0 (2.0)")
+
+    def test_what_is_left_of_a_shift_that_was_put_right(self):
+        # Along x and back, a minute each way; 1 m off to the side until 20 s after the turn.
+        poses = [(t, complex(t if t <= 60 else 120 - t, 0)) for t in range(121)]
+        pairs = [(trajectories.Pose(t, at + (1j if 60 < t < 80 else 0), 0),
+                  trajectories.Pose(t, at, 0)) for t, at in poses]
+        whole = trajectories.revisit_shift(pairs, near_m=1.0, apart_s=20)
+        left = trajectories.revisit_shift(pairs, near_m=1.0, apart_s=20, from_share=0.9)
+        self.assertAlmostEqual(whole, 1, delta=0.05)
+        self.assertLess(left, 0.1)
 
 
 class Hour(unittest.TestCase):
