@@ -37,11 +37,7 @@ def largest(values, is_tracked, seeds):
     return best + ", the fastest tried"
 
 
-def experiment(options):
-    yield (f"Largest value at which none of {options.seeds} seeds was LOST or more than "
-           f"{TRACKED_M} m or {TRACKED_DEG} degrees RMS off; tried: {YAW_RATES_DPS} deg/s, "
-           f"{SPEEDS_MPS} m/s.")
-    rows = []
+def rows(seeds):
     for rate_hz in RATES_HZ:
         row = [f"{rate_hz} Hz"]
         for world, flag, values in (("spin.yaml", "--yaw-rate", YAW_RATES_DPS),
@@ -51,8 +47,14 @@ def experiment(options):
                     flags = [flag, value, "--rate", rate_hz, "--duration", DURATION_S]
                     return tracks(world, seed, OUT / "envelope", flags,
                                   sweep_flags(rate_hz, deskew))
-                row.append(largest(values, is_tracked, options.seeds))
-        rows.append(row)
+                row.append(largest(values, is_tracked, seeds))
+        yield row
+
+
+def experiment(options):
+    yield (f"Largest value at which none of {options.seeds} seeds was LOST or more than "
+           f"{TRACKED_M} m or {TRACKED_DEG} degrees RMS off; tried: {YAW_RATES_DPS} deg/s, "
+           f"{SPEEDS_MPS} m/s.")
     yield from table(
         ["laser", *(f"{what}, {way}" for what in ("yaw rate, deg/s", "speed, m/s")
-                    for way, _ in WAYS)], rows)
+                    for way, _ in WAYS)], rows(options.seeds))
