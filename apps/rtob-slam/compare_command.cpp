@@ -194,7 +194,9 @@ VerbAction declare_compare(CLI::App& command)
     add("--mrpt", flags->mrpt_files, "FILE.ini", "compare this setting of icp-slam, too")
         ->allow_extra_args(false);
     add("--repeats", flags->repeats, "N", "runs of each variant; default 3");
-    add("--seeds", flags->seeds, "N", "seeds of variants that draw at random; default 3");
+    add("--seeds", flags->seeds, "N",
+        "seeds of variants that draw at random; beyond --repeats for RTOB alone; "
+        "default 3");
     add("--time-limit", flags->time_limit, "MIN",
         "end a run that takes longer; its row says so; default: none");
     add("-c,--config", flags->config_file, "FILE.ini", "RTOB's; its lasers and beams are for all");

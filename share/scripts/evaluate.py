@@ -26,6 +26,8 @@ def parsed_arguments():
     parser.add_argument("logs", nargs="*", metavar="LOG", help="default: all")
     parser.add_argument("--seeds", type=int, default=10, help="of programs that draw at random")
     parser.add_argument("--repeats", type=int, default=1, help="runs of the other programs")
+    parser.add_argument("--variant", action="append", metavar="NAME",
+                        help="run these of rtob-slam compare only; may be given again")
     parser.add_argument("--time-limit", type=int, default=60, metavar="MIN",
                         help="of one run of one program; its row says so (default: 60)")
     parser.add_argument("--fresh", action="store_true", help="measure again what is there")

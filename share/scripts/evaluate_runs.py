@@ -70,7 +70,7 @@ def shown_command(log, options):
 def common_flags(log, options):
     flags = ["--repeats", str(options.repeats), "--seeds", str(options.seeds),
              "--time-limit", str(options.time_limit)]
-    for variant in log.variants:
+    for variant in options.variant or log.variants:
         if variant != "pcl" or has_pcl():
             flags += ["--variant", variant]
     return flags

@@ -3,15 +3,8 @@ import csv
 import statistics
 
 import evaluate_logs
+import program_names
 
-NAMES = {
-    "mrpt-stock": "MRPT icp-slam, shipped ini",
-    "mrpt-dense": "MRPT icp-slam, dense",
-    "mrpt-lm": "MRPT icp-slam LM, shipped ini",
-    "mrpt-grid": "MRPT icp-slam on a grid, shipped ini",
-    "pcl": "the paper's recipe on PCL",
-    "odometry": "odometry alone",
-}
 RIVALS = ("mrpt-stock", "mrpt-dense")  # what RTOB-SLAM is asked to beat
 
 
@@ -40,11 +33,10 @@ class Variant:
 
     def __init__(self, name, runs):
         self.name = name
-        self.title = f"**RTOB-SLAM** ({name[5:]})" if name.startswith("rtob-") else NAMES.get(
-            name, name)
+        self.title = program_names.title(name)
         self.runs = [run for run in runs if not run["failure"]]
         self.failure = next((run["failure"] for run in runs if run["failure"]), "")
-        self.is_rtob = name.startswith("rtob-")
+        self.is_rtob = program_names.is_rtob(name)
 
     def all(self, key):
         return [run[key] for run in self.runs if key in run]

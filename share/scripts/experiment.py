@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The experiments of docs/experiments.md.
 
-usage: experiment.py NAME... [--seeds N] [--compare]
+usage: experiment.py NAME... [--seeds N] [--compare [N]]
 
 Each writes its logs, runs and pictures below out/experiments/NAME and its table to
 out/experiments/NAME/table.md, and prints the table.
@@ -12,13 +12,14 @@ import shutil
 import sys
 
 import experiment_changes
+import experiment_compare
 import experiment_envelope
 import experiment_gyro
 import experiment_hour
 import experiment_loops
 import experiment_recovery
 import experiment_sigma
-from experiment_runs import OUT, WORLDS, call, figures, run, simulate, spread_table
+from experiment_runs import OUT, WORLDS, figures, run, simulate, spread_table
 
 PAPER = ["cylinders", "room", "garage"]
 DYNAMIC = ["people", "door", "corridor", "hall", "repeated"]
@@ -34,7 +35,7 @@ LIMITS = {
 def flight(name, options):
     """One world, flown and run once a seed. Seed 1's pictures stay for people to look at."""
     folder = OUT / name
-    runs = []
+    runs, compared = [], []
     for seed in range(1, options.seeds + 1):
         log, truth = simulate(WORLDS / f"{name}.yaml", seed, folder)
         results = run(log, seed, folder / f"seed-{seed}")
@@ -42,18 +43,14 @@ def flight(name, options):
         if seed == 1:
             shutil.copy(results / "map.png", folder / "map.png")
             shutil.copy(results / "eval_path.png", folder / "error_path.png")
-            if options.compare:
-                compare(log, truth, folder / "compare")
+        if seed <= options.compare:
+            compared.append(experiment_compare.runs_on(log, truth, folder / f"compare-{seed}"))
     yield from spread_table(name, runs)
     for figure, limit in LIMITS.get(name, {}).items():
         worst = max(run[figure] for run in runs)
         yield f"{'holds' if worst <= limit else 'DOES NOT HOLD'}: {figure} {worst:.2f}, at most {limit}"
-
-
-def compare(log, truth, folder):
-    call("compare", log, "--truth", truth, "-o", folder, "--overwrite", "--no-odometry",
-         "--repeats", 1, "--seeds", 1, "--quiet")
-    print(f"compared with other programs: {folder / 'report.md'}")
+    if compared:
+        yield from experiment_compare.comparison_table(compared)
 
 
 EXPERIMENTS = {
@@ -74,8 +71,9 @@ def main():
         epilog="Names: all (the paper's three), " + ", ".join(EXPERIMENTS))
     parser.add_argument("names", nargs="+", metavar="NAME")
     parser.add_argument("--seeds", type=int, default=10)
-    parser.add_argument("--compare", action="store_true",
-                        help="run MRPT's ICP-SLAM on the first seed's logs too")
+    parser.add_argument("--compare", type=int, nargs="?", const=1, default=0, metavar="N",
+                        help="run the other programs of rtob-slam compare, too, on the flights of"
+                             " the first N seeds (1)")
     options = parser.parse_args()
     names = [each for name in options.names for each in (PAPER if name == "all" else [name])]
     for name in names:

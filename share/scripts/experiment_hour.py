@@ -4,27 +4,37 @@ import itertools
 import math
 import statistics
 
+import program_names
 from experiment_runs import OUT, WORLDS, call, run, simulate, table
 
-SPAN_SCANS = 3600
-MRPT_SCANS = 10800  # enough to see its growth; the whole hour would take hours
+ROW_SCANS = 3600  # six minutes
+SPAN_SCANS = 600  # the slope goes through the medians of these
+# Enough to see MRPT grow: its whole hour would take hours.
+VARIANTS = {"rtob-revisit": None, "mrpt-stock": 10800, "mrpt-dense": 3600}
+PARTS = ["draw", "align", "anchor", "search"]
 
 
-def spans(timing_file):
-    """Median and 99th percentile, ms, of every 3600 scans."""
+def column(timing_file, name):
     with open(timing_file, newline="", encoding="ascii") as file:
-        times = [float(row["total_ms"]) for row in csv.DictReader(file)]
-    for start in range(0, len(times) - SPAN_SCANS // 2, SPAN_SCANS):
-        span = sorted(times[start:start + SPAN_SCANS])
-        yield statistics.median(span), span[int(0.99 * len(span))]
+        return [float(row[name]) for row in csv.DictReader(file)]
 
 
-def slope_ms_per_hour(medians, span_h):
-    """Least squares through the spans' medians, and its standard error."""
+def spans(times, length):
+    """Parts of this many scans; what is left over at the end, if it is at least half a part."""
+    return [times[start:start + length] for start in range(0, len(times) - length // 2, length)]
+
+
+def percentile(times, share):
+    return sorted(times)[int(share * len(times))]
+
+
+def slope_ms_per_hour(times):
+    """Least squares through the medians of every minute, and its standard error."""
+    medians = [statistics.median(span) for span in spans(times, SPAN_SCANS)]
     n = len(medians)
     if n < 3:
         return math.nan, math.nan
-    x = [(i + 0.5) * span_h for i in range(n)]
+    x = [(i + 0.5) * SPAN_SCANS / 36000 for i in range(n)]
     mean_x, mean_y = sum(x) / n, sum(medians) / n
     sxx = sum((each - mean_x) ** 2 for each in x)
     slope = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, medians)) / sxx
@@ -32,21 +42,40 @@ def slope_ms_per_hour(medians, span_h):
     return slope, (residual / (n - 2) / sxx) ** 0.5
 
 
+def compared(variant, scans, log, truth, folder):
+    """Milliseconds of processor time of each scan."""
+    call("compare", log, "--truth", truth, "-o", folder, "--overwrite", "--quiet",
+         "--no-odometry", "--repeats", 1, "--seeds", 1, "--variant", variant,
+         *(["--first", scans] if scans else []))
+    return column(next((folder / "runs").glob(f"{variant}-*")) / "timing.csv", "cpu_ms")
+
+
+def parts_table(timing_file):
+    """Where RTOB-SLAM's time goes: mean wall time of each part, per six minutes."""
+    parts = {part: spans(column(timing_file, f"{part}_ms"), ROW_SCANS) for part in PARTS}
+    rows = [[f"{6 * i} to {6 * (i + 1)} min", *(f"{statistics.mean(part[i]):.3f}"
+                                                for part in parts.values())]
+            for i in range(len(parts["draw"]))]
+    return table(["mean ms", *PARTS], rows)
+
+
 def experiment(_):
     folder = OUT / "hour"
     log, truth = simulate(WORLDS / "garage.yaml", 1, folder, "--duration", 3600)
-    columns = {"RTOB-SLAM": list(spans(run(log, 1, folder / "rtob") / "timing.csv"))}
-    call("compare", log, "--truth", truth, "-o", folder / "compare", "--overwrite", "--quiet",
-         "--no-odometry", "--repeats", 1, "--seeds", 1, "--variant", "mrpt-dense",
-         "--first", MRPT_SCANS)
-    timing = next((folder / "compare" / "runs").glob("mrpt-dense-*")) / "timing.csv"
-    columns["MRPT dense"] = list(spans(timing))
-    yield f"Milliseconds a scan, median / 99th percentile of every {SPAN_SCANS} scans."
-    rows = [
-        [f"{6 * i} to {6 * (i + 1)} min", *("-" if each is None else f"{each[0]:.2f} / {each[1]:.2f}"
-                                            for each in spans_i)]
-        for i, spans_i in enumerate(itertools.zip_longest(*columns.values()))]
-    yield from table(["time", *columns], rows)
-    for name, each in columns.items():
-        slope, error = slope_ms_per_hour([p50 for p50, _ in each], SPAN_SCANS / 36000)
-        yield f"Slope of the median, {name}: {slope:+.3f} ms an hour, standard error {error:.3f}"
+    times = {program_names.title(variant): compared(variant, scans, log, truth, folder / variant)
+             for variant, scans in VARIANTS.items()}
+    yield "Milliseconds of processor time a scan, median / 99th percentile, without odometry."
+    cells = [[f"{statistics.median(span):.2f} / {percentile(span, 0.99):.2f}"
+              for span in spans(each, ROW_SCANS)] for each in times.values()]
+    yield from table(
+        ["time", *times],
+        [[f"{6 * i} to {6 * (i + 1)} min", *row]
+         for i, row in enumerate(itertools.zip_longest(*cells, fillvalue="-"))])
+    for name, each in times.items():
+        for what, part in (("", each), (" after the first ten minutes", each[6000:])):
+            slope, error = slope_ms_per_hour(part)
+            if math.isnan(slope):
+                continue  # too few scans
+            yield (f"Slope of the median, {name}{what}: {slope:+.3f} ms an hour, standard error"
+                   f" {error:.3f}")
+    yield from parts_table(run(log, 1, folder / "parts") / "timing.csv")

@@ -57,13 +57,14 @@ def mean_errors(pairs, over_s=2.0, step_s=1.0):
     return means
 
 
-def revisit_shift(pairs, near_m=0.5, apart_s=30.0):
+def revisit_shift(pairs, near_m=0.5, apart_s=30.0, from_share=0.0):
     """The largest shift, in m, between what is found at a place and what was found there at least
-    30 s before: what a map that comes back shifted shows. None where no place is seen again."""
+    30 s before: what a map that comes back shifted shows. None where no place is seen again. Only
+    returns after this share of the time count."""
     means = mean_errors(pairs)
     shifts = [
         abs(late_error - early_error)
         for i, (late_s, late_at, late_error) in enumerate(means)
         for early_s, early_at, early_error in means[:i]
-        if late_s - early_s >= apart_s and abs(late_at - early_at) <= near_m]
+        if late_s >= from_share * means[-1][0] and late_s - early_s >= apart_s and abs(late_at - early_at) <= near_m]
     return max(shifts, default=None)

@@ -3,6 +3,7 @@
 
 usage: test_evaluate.py SOURCE_FOLDER
 """
+import argparse
 import json
 import pathlib
 import sys
@@ -13,6 +14,7 @@ sys.path.insert(0, str(SOURCE / "share/scripts"))
 
 import evaluate_document  # noqa: E402
 import evaluate_logs  # noqa: E402
+import evaluate_runs  # noqa: E402
 import evaluate_tables  # noqa: E402
 
 PEERS = [{"program": "Peer", "intel": "0.5", "fr079": "", "killian": "", "intel_cpu_ms": "4"}]
@@ -69,6 +71,26 @@ class Tables(unittest.TestCase):
         for value, text in ((0.017654, "0.0177"), (213.4, "213"), (1234.5, "1230"), (0, "0"),
                             (None, "-")):
             self.assertEqual(evaluate_tables.short(value), text)
+
+
+class Commands(unittest.TestCase):
+    @staticmethod
+    def options(**changed):
+        return argparse.Namespace(**{"repeats": 1, "seeds": 10, "time_limit": 60, "variant": None,
+                                     **changed})
+
+    def test_ten_seeds_and_one_run_of_the_others_are_one_comparison(self):
+        command = evaluate_runs.shown_command(
+            evaluate_logs.LOGS["malaga"], self.options(time_limit=5))
+        self.assertTrue(command.startswith("rtob-slam compare '/usr/share/mrpt/"), command)
+        self.assertTrue(command.endswith("--repeats 1 --seeds 10 --time-limit 5"), command)
+
+    def test_chosen_variants_replace_those_of_the_log(self):
+        command = evaluate_runs.shown_command(
+            evaluate_logs.LOGS["killian"], self.options(variant=["rtob-revisit", "mrpt-dense"]))
+        self.assertIn("$RTOB_DATASETS/mit-killian/", command)
+        self.assertTrue(
+            command.endswith("--variant rtob-revisit --variant mrpt-dense"), command)
 
 
 class Document(unittest.TestCase):

@@ -97,6 +97,8 @@ ComparedRun run_one(
 std::vector<std::string> remarks_on(const LogSurvey& survey)
 {
     std::vector<std::string> remarks;
+    if (const auto load = machine_load(); load && !remark_on(*load).empty())
+        remarks.push_back(remark_on(*load));
     if (!survey.has_odometry)
         remarks.emplace_back(
             "The log has no odometry, or it was left aside: RTOB-SLAM starts each scan from "

@@ -3,6 +3,7 @@
 
 #include <mrpt/system/os.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -25,23 +26,37 @@ std::string value_in(const char* file, const std::string& name)
     return "unknown";
 }
 
-std::string load_text()
+std::string text_of(const MachineLoad& load)
 {
-    std::array<double, 1> load{};
-    if (getloadavg(load.data(), 1) != 1) return "unknown";
     std::array<char, 64> text{};
     std::snprintf(
-        text.data(), text.size(), "%.1f of %u processors busy", load[0],
-        std::thread::hardware_concurrency());
+        text.data(), text.size(), "%.1f programs on %u processors", load.programs, load.processors);
     return text.data();
 }
 }  // namespace
 
+std::optional<MachineLoad> machine_load()
+{
+    double programs = 0;
+    if (getloadavg(&programs, 1) != 1) return std::nullopt;
+    return MachineLoad{programs, std::max(1U, std::thread::hardware_concurrency())};
+}
+
+/// Runs come one at a time: nothing is in their way while the others leave a processor free.
+std::string remark_on(const MachineLoad& load)
+{
+    if (load.programs < load.processors) return {};
+    return "Other programs kept the computer busy when this began (" + text_of(load) +
+           "). They slow all variants: compare the times below with each other, not with those of "
+           "another report.";
+}
+
 std::vector<std::pair<std::string, std::string>> machine_facts()
 {
+    const auto load = machine_load();
     return {
         {"processor", value_in("/proc/cpuinfo", "model name")},
-        {"load at the start", load_text()},
+        {"load at the start", load ? text_of(*load) : "unknown"},
         {"RTOB-SLAM", RTOB_VERSION},
         {"MRPT", mrpt::system::MRPT_getVersion()},
         {"compiler", "gcc or clang " __VERSION__},

@@ -13,9 +13,9 @@ std::vector<PlannedRun> plan_runs(const std::vector<VariantSpec>& variants, int 
         const auto begin = static_cast<std::ptrdiff_t>(plan.size());
         for (std::size_t v = 0; v < variants.size(); ++v)
         {
-            const bool by_chance = variants[v].usesSeed();
-            if (!by_chance && round > repeats) continue;
-            const auto seed = by_chance ? static_cast<std::uint64_t>((round - 1) % seeds + 1) : 1;
+            if (variants[v].kind != VariantKind::Rtob && round > repeats) continue;
+            const auto seed =
+                variants[v].usesSeed() ? static_cast<std::uint64_t>((round - 1) % seeds + 1) : 1;
             plan.push_back({v, seed, round});
         }
         if (round % 2 == 0) std::reverse(plan.begin() + begin, plan.end());

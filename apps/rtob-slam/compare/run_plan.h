@@ -16,8 +16,8 @@ struct PlannedRun
 
 /// In which order the variants run. A round runs each of them once, every other round backwards, so
 /// that a slow moment of the machine does not hit the same one always. There are max(repeats,
-/// seeds) rounds; variants without chance sit out those beyond `repeats`, the others take the seeds
-/// 1 to `seeds` in turn.
+/// seeds) rounds; those beyond `repeats` are for RTOB-SLAM alone, whose worst seed is judged by the
+/// others' few runs. What draws at random takes the seeds 1 to `seeds` in turn.
 [[nodiscard]] std::vector<PlannedRun> plan_runs(
     const std::vector<VariantSpec>& variants, int repeats, int seeds);
 }  // namespace rtob

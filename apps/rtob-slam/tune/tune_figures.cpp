@@ -24,6 +24,11 @@ const TunePoint* most_accurate(const std::vector<const TunePoint*>& points)
 }
 }  // namespace
 
+bool is_less_accurate(const TuneFigures& one, const TuneFigures& other)
+{
+    return one.worst_m > std::max(other.worst_m * (1 + as_good_share), other.worst_m + as_good_m);
+}
+
 bool is_feasible(const TuneFigures& figures, double budget_ms)
 {
     return figures.lost_scans == 0 && figures.p99_ms <= budget_ms;
@@ -37,10 +42,8 @@ std::string chosen_value(const TuneCurve& curve, double budget_ms)
     if (feasible.empty()) return {};
     if (takes_the_largest(curve.sweep)) return feasible.back()->value;
     const TunePoint* best = most_accurate(feasible);
-    const double good_enough_m =
-        std::max(best->figures.worst_m * (1 + as_good_share), best->figures.worst_m + as_good_m);
     for (const auto* point : feasible)
-        if (point->value == curve.value_before && point->figures.worst_m <= good_enough_m)
+        if (point->value == curve.value_before && !is_less_accurate(point->figures, best->figures))
             return point->value;
     return best->value;
 }

@@ -32,6 +32,9 @@ struct TuneCurve
 /// Whether a setting can be had: no scan lost, 99 % of the scans within the budget.
 [[nodiscard]] bool is_feasible(const TuneFigures& figures, double budget_ms);
 
+/// Whether one is less accurate than the other by more than 5 % and 0.5 mm.
+[[nodiscard]] bool is_less_accurate(const TuneFigures& one, const TuneFigures& other);
+
 /// Where more is better (points, iterations), the largest feasible value; for the rest the most
 /// accurate feasible one, and the value as it was where that is as good within 5 % or 0.5 mm.
 /// Empty: none is feasible.

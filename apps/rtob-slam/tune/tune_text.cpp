@@ -73,6 +73,10 @@ std::string tuning_text(const TuneJob& job, const TuneResult& result)
                        "holds the suggestion.\n\n| | " +
                        columns + "| as it was | " + figures_cells(result.before) +
                        " |\n| suggested | " + figures_cells(result.after) + " |\n";
+    if (is_feasible(result.before, job.budget_ms) && is_less_accurate(result.after, result.before))
+        text +=
+            "\nThe suggestion is less accurate than what it started from: the seeds differ by more "
+            "than the values do. Keep what you had, or tune with more seeds and scans.\n";
     for (const auto& curve : result.curves) text += curve_text(curve, job.budget_ms);
     return text;
 }

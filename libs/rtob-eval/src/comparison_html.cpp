@@ -166,7 +166,9 @@ std::string comparison_html(const Comparison& comparison, const std::string& fol
                        escaped(truth_sentence(comparison)) + "</p>\n";
     html += variants_html(comparison);
     html += heading("In short") + list_of(comparison_findings(comparison));
-    html += heading("Figures") + table_html(table) + meanings_html(table);
+    if (!comparison.remarks.empty()) html += heading("Remarks") + list_of(comparison.remarks);
+    html += heading("Figures") + "<p>" + escaped(figures_sentence(comparison)) + "</p>\n" +
+            table_html(table) + meanings_html(table);
     html += heading("The scans, put where each variant says the vehicle was") +
             "<p>Drawn alike for all, so that just the paths differ. Sharp, single walls: the path "
             "is right. Doubled or blurred walls: it is not.</p>\n" +
@@ -175,7 +177,6 @@ std::string comparison_html(const Comparison& comparison, const std::string& fol
     html += heading("The variants' own maps") +
             "<p>What each of them kept of the scans to match against.</p>\n" +
             pictures_html(comparison, folder, "map.png");
-    if (!comparison.remarks.empty()) html += heading("Remarks") + list_of(comparison.remarks);
     return html + machine_html(comparison) + "</body></html>\n";
 }
 }  // namespace rtob

@@ -80,12 +80,12 @@ std::string comparison_markdown(const Comparison& comparison)
                        comparison_summary(comparison) + " " + truth_sentence(comparison) + "\n";
     add_list(text, "What was compared", variant_items(comparison));
     add_list(text, "In short", comparison_findings(comparison));
-    text += "\n## Figures\n\n" + table_text(table);
+    add_list(text, "Remarks", comparison.remarks);
+    text += "\n## Figures\n\n" + figures_sentence(comparison) + "\n\n" + table_text(table);
     add_list(text, "How to read them", explanations(table));
     for (const auto& plot : comparison_plots(comparison))
         text += "\n## " + plot.title + "\n\n![" + plot.title + "](" + plot.name + ".svg)\n\n" +
                 plot.caption + "\n";
-    add_list(text, "Remarks", comparison.remarks);
     text += "\n## To repeat it\n\n    " + comparison.command + "\n\n";
     for (const auto& [name, value] : comparison.machine) text += "- " + name + ": " + value + "\n";
     return text;

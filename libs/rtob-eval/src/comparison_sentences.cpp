@@ -132,6 +132,16 @@ std::string comparison_summary(const Comparison& comparison)
            " runs in all, each in a process of its own.";
 }
 
+std::string figures_sentence(const Comparison& comparison)
+{
+    std::string sentence =
+        "Each figure is the median of a variant's runs, with the lowest and the highest where "
+        "these differ. Times are processor time.";
+    if (comparison.truth_kind != TruthKind::None)
+        sentence += " The error in the first column is that of the worst run.";
+    return sentence;
+}
+
 std::string truth_sentence(const Comparison& comparison)
 {
     switch (comparison.truth_kind)

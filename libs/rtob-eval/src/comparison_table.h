@@ -47,6 +47,9 @@ struct ComparisonTable
 /// What was done, in a few sentences.
 [[nodiscard]] std::string comparison_summary(const Comparison& comparison);
 
+/// Which of several runs a figure of the table is.
+[[nodiscard]] std::string figures_sentence(const Comparison& comparison);
+
 /// What the trajectories were judged by, in a sentence.
 [[nodiscard]] std::string truth_sentence(const Comparison& comparison);
 }  // namespace rtob

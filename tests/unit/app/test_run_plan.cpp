@@ -46,10 +46,11 @@ TEST(PlanRuns, SeedsTakeTurns)
     EXPECT_EQ(text_of(plan_runs(variants, 3, 2), variants), "0s1 1 |1 0s2 |0s1 1 ");
 }
 
-TEST(PlanRuns, MoreSeedsThanRepeatsRunWithoutThoseThatHaveNone)
+TEST(PlanRuns, MoreSeedsThanRepeatsAreForRtobAlone)
 {
     const auto variants = variants_of({VariantKind::Mrpt, VariantKind::Pcl, VariantKind::Rtob});
-    EXPECT_EQ(text_of(plan_runs(variants, 1, 3), variants), "0 1s1 2s1 |2s2 1s2 |1s3 2s3 ");
+    EXPECT_EQ(text_of(plan_runs(variants, 1, 3), variants), "0 1s1 2s1 |2s2 |2s3 ");
+    EXPECT_EQ(text_of(plan_runs(variants, 2, 3), variants), "0 1s1 2s1 |2s2 1s2 0 |2s3 ");
 }
 }  // namespace
 }  // namespace rtob::test

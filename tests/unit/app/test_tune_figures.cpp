@@ -43,6 +43,20 @@ TEST(TuneFigures, OfOtherOptionsTheMostAccurateIsChosen)
     EXPECT_EQ(chosen_value(distances, 20), "0.3");
 }
 
+TEST(TuneFigures, LessAccurateIsWhatTheMarginDoesNotExcuse)
+{
+    const auto off_by = [](double worst_m)
+    {
+        TuneFigures figures;
+        figures.worst_m = worst_m;
+        return figures;
+    };
+    EXPECT_FALSE(is_less_accurate(off_by(0.0104), off_by(0.0100)));  // 0.4 mm
+    EXPECT_TRUE(is_less_accurate(off_by(0.0106), off_by(0.0100)));   // 0.6 mm, 6 %
+    EXPECT_FALSE(is_less_accurate(off_by(0.104), off_by(0.100)));    // 4 %
+    EXPECT_FALSE(is_less_accurate(off_by(0.005), off_by(0.010)));
+}
+
 TEST(TuneFigures, WhatIsAsGoodAsTheBestStaysAsItWas)
 {
     const auto distances =

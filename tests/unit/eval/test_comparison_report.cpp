@@ -67,6 +67,18 @@ TEST(ComparisonMarkdown, ShowsTheWorstRunAndTheSpread)
     EXPECT_THAT(text, HasSubstr("| broken | failed: a file <x.ini> is"));
 }
 
+TEST(ComparisonMarkdown, SaysBeforeTheTableHowToReadIt)
+{
+    auto comparison = comparison_sample();
+    comparison.remarks = {"The computer was busy."};
+    const auto text = comparison_markdown(comparison);
+    const auto table = text.find("| variant |");
+    ASSERT_NE(table, std::string::npos);
+    EXPECT_LT(text.find("The computer was busy."), table);
+    EXPECT_LT(text.find("the median of a variant's runs"), table);
+    EXPECT_LT(text.find("that of the worst run"), table);
+}
+
 TEST(ComparisonMarkdown, WithoutTruthClaimsNoError)
 {
     auto comparison = comparison_sample();
