@@ -13,9 +13,6 @@ namespace
 // Both scans lie in the map where they fit it: little is left to be moved.
 constexpr int kIterations = 4;
 
-// A scan with less than this share of the points of the one before is a fragment.
-constexpr double kFragment = 0.25;
-
 constexpr std::size_t kDirections = 180;
 // Before what the last scan saw, by more than the motion and noise in between explain.
 constexpr float kNearerShare = 0.8F, kNearer_m = 0.2F;
@@ -77,16 +74,6 @@ void Continuity::tracked(
     laser_ = laser;
     tracked_at_ = pose_map_vehicle;
     tracked_vehicle_ = points_vehicle;
-}
-
-bool Continuity::isFragment(const std::string& laser, std::size_t points)
-{
-    const bool is_fragment =
-        laser == laser_before_ &&
-        static_cast<double>(points) < kFragment * static_cast<double>(points_before_);
-    laser_before_ = laser;
-    points_before_ = points;
-    return is_fragment;
 }
 
 double Continuity::agreement(

@@ -81,8 +81,7 @@ const ScanReport& Slam::process(const mrpt::obs::CObservation2DRangeScan& scan)
     begin(scan);
     filter(scan);                            // 1. eq. 1
     const Pose2 pose_map_init = prealign();  // 2. eq. 2 and 3
-    const bool is_fragment = continuity_.isFragment(scan.sensorLabel, points_vehicle_.size());
-    if (is_fragment || is_too_small(points_vehicle_, options_.fit_gate))
+    if (is_too_small(points_vehicle_, options_.fit_gate))
         return settle({pose_map_init, {}, FitVerdict::None});
     if (map_.scans().empty()) return startMap(pose_map_init, scan.sensorLabel);
     if (tracking_.isLost() && relocaliser_.enabled())

@@ -35,19 +35,6 @@ TEST(Continuity, OneOfAnotherRoomDoesNot)
         0.5);
 }
 
-TEST(Continuity, AFragmentHasFarFewerPointsThanTheScanBeforeOfItsLaser)
-{
-    Continuity continuity({});
-    EXPECT_FALSE(continuity.isFragment("laser", 20)) << "nothing came before";
-    EXPECT_FALSE(continuity.isFragment("laser", 280));
-    EXPECT_FALSE(continuity.isFragment("laser", 70));
-    EXPECT_FALSE(continuity.isFragment("laser", 280));
-    EXPECT_TRUE(continuity.isFragment("laser", 69));
-    EXPECT_FALSE(continuity.isFragment("laser", 69)) << "it sees little now";
-    EXPECT_FALSE(continuity.isFragment("laser", 280));
-    EXPECT_FALSE(continuity.isFragment("another", 20));
-}
-
 TEST(Continuity, WithNothingToCompareWithNothingSpeaksAgainstIt)
 {
     Continuity continuity({});

@@ -21,11 +21,6 @@ class Continuity
         const std::string& laser, const Pose2& pose_map_vehicle, const Points& points_vehicle);
     void clear() { laser_.clear(); }
 
-    /// Whether of this scan only a fragment has arrived, as some drivers give when a revolution was
-    /// cut: far fewer points than the scan before it had. To be asked once for each scan. What does
-    /// see little, as in a wide hall, is a fragment only once.
-    [[nodiscard]] bool isFragment(const std::string& laser, std::size_t points);
-
     /// [0, 1] of the scan's points that agree with the last scan tracked, where it has any near;
     /// less where they stand in what it saw free; 1 where there is no scan of this laser to compare
     /// with.
@@ -35,9 +30,7 @@ class Continuity
  private:
     Icp icp_;
     IcpReference reference_;
-    std::string laser_;         ///< of the scan tracked
-    std::string laser_before_;  ///< of the scan before this one, whatever it was
-    std::size_t points_before_ = 0;
+    std::string laser_;
     Pose2 tracked_at_;  ///< in map
     Points tracked_vehicle_, points_turned_;
 };
