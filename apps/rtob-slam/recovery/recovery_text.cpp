@@ -2,6 +2,7 @@
 #include "recovery/recovery_text.h"
 
 #include <rtob/core/spread.h>
+#include <rtob/slam/relocaliser.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -60,6 +61,13 @@ std::string relocalise_text(
         "  false accepts                      %d (%.1f %%)", with(Outcome::Wrong),
         share(with(Outcome::Wrong)));
     text += line("  not found                          %d", with(Outcome::Nowhere));
+    const double enough = RelocaliseOptions().min_explained_share;
+    text += line(
+        "  not right, and hardly mapped       %d (less than %.1f of a scan)",
+        count_of(
+            done, [&](const auto& trial)
+            { return trial.outcome != Outcome::Right && trial.explained_at_truth < enough; }),
+        enough);
     text += spread(
         "scans needed p50/p95/max", "", done,
         [&](const auto& trial) { return found(trial, trial.scans); });
@@ -74,9 +82,11 @@ std::string relocalise_text(
     for (const RelocaliseTrial& trial : done)
         if (trial.outcome != Outcome::Right)
             text += line(
-                "  scan %zu: %s after %d scans, %.2f m and %.1f deg off", trial.scan,
-                trial.outcome == Outcome::Wrong ? "wrong" : "not found", trial.scans, trial.error_m,
-                trial.error_deg);
+                "  scan %zu: %s after %d scans, %.2f m and %.1f deg off; where it was, the map "
+                "explains "
+                "%.2f of it at least",
+                trial.scan, trial.outcome == Outcome::Wrong ? "wrong" : "not found", trial.scans,
+                trial.error_m, trial.error_deg, trial.explained_at_truth);
     return text;
 }
 

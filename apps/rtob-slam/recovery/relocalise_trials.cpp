@@ -38,6 +38,7 @@ class Trial
         trial.map_ms = timed([&] { relocaliser_.learn(map.view()); });
         for (std::size_t k = first; k <= last && trial.outcome == Outcome::Nowhere; ++k)
             look(map, driven_.scans[k], trial);
+        if (trial.outcome != Outcome::Right) explain(map, trial);
         return trial;
     }
 
@@ -67,6 +68,21 @@ class Trial
         const bool is_right =
             trial.error_m <= trials_.right_m && trial.error_deg <= trials_.right_deg;
         trial.outcome = is_right ? Outcome::Right : Outcome::Wrong;
+    }
+
+    void explain(const RtobMap& map, RelocaliseTrial& trial)
+    {
+        MapRaster raster;
+        raster.draw(map.points(), map.scans());
+        for (std::size_t k = trial.scan; k < trial.scan + static_cast<std::size_t>(trial.scans);
+             ++k)
+        {
+            const DrivenScan& driven = driven_.scans[k];
+            (void)filter_.filter(*driven.scan, sensor_.mountOf(*driven.scan), points_vehicle_);
+            trial.explained_at_truth = std::min(
+                trial.explained_at_truth,
+                share_on_points(raster, points_vehicle_.view(), driven.pose_map_vehicle));
+        }
     }
 
     const DrivenLog& driven_;

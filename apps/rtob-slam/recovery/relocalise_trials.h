@@ -28,6 +28,9 @@ struct RelocaliseTrial
     Outcome outcome = Outcome::Nowhere;
     int scans = 0;  ///< looked at
     double error_m = 0, error_deg = 0;
+    /// Of a trial that is not right: the least share of a scan's points that the map explains where
+    /// the scan was taken, [0, 1]. It is small where nothing else has seen what the scan shows.
+    double explained_at_truth = 1;
     double total_ms =
         0;  ///< of the processor, for all scans looked at, the drawing of the map apart
     double worst_ms = 0;  ///< the same, of one

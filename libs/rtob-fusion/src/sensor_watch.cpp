@@ -36,8 +36,9 @@ ReadingFate SensorWatch::judge(const Measurement& reading, double newest_s)
     if (reading.time_s < last_s_) return ReadingFate::StampBack;
     if (reading.time_s == last_s_) return ReadingFate::StampRepeated;
     if (reading.time_s > newest_s + kFarAhead_s) return ReadingFate::StampAhead;
-    // A vehicle at rest tells zeros; wheels do so exactly.
-    const bool is_same = reading.value == last_value_ && !reading.value.isZero();
+    // A vehicle at rest tells zeros, wheels do so exactly, and stays at its pose.
+    const bool is_same = reading.value == last_value_ && !reading.value.isZero() &&
+                         reading.kind != Measurement::Kind::WayBegin;
     same_in_a_row_ = is_same ? same_in_a_row_ + 1 : 0;
     last_value_ = reading.value;
     return same_in_a_row_ >= kStuckAfter ? ReadingFate::Stuck : ReadingFate::Used;

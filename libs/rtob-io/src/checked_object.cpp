@@ -10,6 +10,7 @@
 #include <boost/iostreams/filtering_streambuf.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -61,14 +62,20 @@ std::string header_text(const std::string& kind, const Header& header)
         "Copy it again from where it is whole, or make it anew: it is " + format.origin);
 }
 
+[[noreturn]] void refuse_unreadable(const std::string& file, int error)
+{
+    refuse(
+        file, "cannot be read: " + std::generic_category().message(error),
+        "Check the name and the permissions");
+}
+
 std::string packed_bytes(const std::string& file)
 {
+    // A folder can be opened, and its first byte throws without naming it.
+    if (std::filesystem::is_directory(file)) refuse_unreadable(file, EISDIR);
     std::ifstream in(file, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    if (!in.is_open() || in.bad())
-        refuse(
-            file, "cannot be read: " + std::generic_category().message(errno),
-            "Check the name and the permissions");
+    if (!in.is_open() || in.bad()) refuse_unreadable(file, errno);
     return bytes;
 }
 

@@ -33,12 +33,13 @@ std::uint64_t place_of(const Pose2& pose, double cell_m, int headings)
 }
 }  // namespace
 
-void MapThinner::makeRoom(RtobMap& map, TravelLog& travel)
+void MapThinner::makeRoom(RtobMap& map, TravelLog& travel, MapBelief& belief)
 {
     if (max_points_ == 0) return;
     const std::size_t scans = std::max(mostScans(), map.scans().size() + 1);
     map.reserveOnce(scans, std::max(max_points_, map.size()));
     travel.reserve(scans);
+    belief.reserve(scans);
     visits_.reserve(scans);
     keep_.reserve(scans);
 }

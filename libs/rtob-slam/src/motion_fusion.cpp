@@ -66,7 +66,12 @@ bool MotionFusion::add(MotionSensor sensor, const Measurement& reading)
     SensorWatch& watch = watches_[static_cast<std::size_t>(sensor)];
     const double newest_s =
         filter_.started() ? filter_.newest() : std::numeric_limits<double>::quiet_NaN();
-    if (watch.admit(reading, newest_s) != ReadingFate::Used || !filter_.started()) return false;
+    if (watch.admit(reading, newest_s) != ReadingFate::Used) return false;
+    if (!filter_.started())
+    {
+        watch.refused(ReadingFate::NotFused);
+        return false;
+    }
     const auto innovation =
         sensor == MotionSensor::Scans ? filter_.addPose(reading) : filter_.add(reading);
     if (innovation)

@@ -2,6 +2,7 @@
 #include <mrpt/core/bits_math.h>
 #include <rtob/slam/pose_belief.h>
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace rtob
@@ -48,10 +49,11 @@ void PoseBelief::begin()
     p_.diagonal().segment<3>(kVelocity) = change();
 }
 
-void PoseBelief::forget()
+void PoseBelief::forget(const Eigen::Matrix3d& covariance_map)
 {
     begin();
     p_.diagonal().segment<3>(kPose).setConstant(kAnywhere);
+    p_.block<3, 3>(kLocalMap, kLocalMap) = covariance_map;
 }
 
 void PoseBelief::advance(double step_s, const Eigen::Vector2d& way_map, bool by_odometry)
@@ -83,11 +85,23 @@ void PoseBelief::matched(const Eigen::Matrix3d& covariance)
     update(seen, covariance);
 }
 
-void PoseBelief::held(const Eigen::Matrix3d& covariance)
+void PoseBelief::held(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& covariance_old)
 {
     Seen seen = Seen::Zero();
     seen.middleCols<3>(kPose).setIdentity();
-    update(seen, covariance);
+    update(seen, covariance + covariance_old);
+    raiseTo(covariance_old);
+}
+
+/// Pose and local map may be off together by at least as much.
+void PoseBelief::raiseTo(const Eigen::Matrix3d& least)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> lacking(least - inMap());
+    const Eigen::Matrix3d more = lacking.eigenvectors() *
+                                 lacking.eigenvalues().cwiseMax(0).asDiagonal() *
+                                 lacking.eigenvectors().transpose();
+    for (const int a : {kPose, kLocalMap})
+        for (const int b : {kPose, kLocalMap}) p_.block<3, 3>(a, b) += more;
 }
 
 void PoseBelief::update(const Seen& seen, const Eigen::Matrix3d& covariance)

@@ -23,6 +23,28 @@ constexpr double kSame_m = 0.3, kSame_rad = 0.1;
 // Tracking that slipped, as where people hide the walls, comes back from nearer by itself, and of a
 // corridor's two directions the odd scan takes the wrong one.
 constexpr double kCarried_m = 2.5;
+// Along a corridor a scan comes to rest at several places beside each other, which explain it about
+// equally. Their misfits tell which one it is: the others must be so many times worse.
+constexpr double kBeside_m = 1.0, kBeside_rad = 0.3, kSharper = 1.4;
+constexpr double kUnpaired_m = 0.2;  // how far off a point without a neighbour counts
+// Of the alignment that refines a place.
+constexpr int kLookIterations = 60;
+constexpr double kLookStep_m = 0.0005;
+
+/// A place found on a raster is far from where the scan fits, and along a corridor the steps
+/// towards it are small.
+IcpOptions to_the_end(IcpOptions icp)
+{
+    icp.iterations = std::max(icp.iterations, kLookIterations);
+    icp.stop_step_m = std::min(icp.stop_step_m, kLookStep_m);
+    return icp;
+}
+
+double misfit_m2(const IcpResult& fit)
+{
+    return fit.paired_share * fit.mean_squared_error +
+           (1 - fit.paired_share) * kUnpaired_m * kUnpaired_m;
+}
 
 bool is_carried(const Pose2& from, const Pose2& to)
 {
@@ -46,7 +68,7 @@ void RelocaliseOptions::validate() const
 }
 
 Relocaliser::Relocaliser(const RelocaliseOptions& options, const IcpOptions& icp)
-    : options_(options), check_(icp), icp_(icp)
+    : options_(options), check_(to_the_end(icp)), icp_(icp)
 {
     options_.validate();
     places_.reserve(GlobalSearch::kMostCandidates + 1);
@@ -192,10 +214,29 @@ void Relocaliser::weed()
 std::optional<PlaceEvidence> Relocaliser::decide()
 {
     if (places_.empty()) return std::nullopt;
-    const Place& best = places_.front();
+    const Place& strongest = places_.front();
+    const auto is_beside = [&](const Place& place)
+    {
+        return is_near(
+            place.evidence.pose_map_vehicle, strongest.evidence.pose_map_vehicle, kBeside_m,
+            kBeside_rad);
+    };
+    const auto elsewhere = std::find_if_not(places_.begin(), places_.end(), is_beside);
     const bool is_alone =
-        places_.size() == 1 || best.strength - places_[1].strength >= options_.min_lead;
-    if (is_alone && best.good_in_a_row >= options_.confirm_scans) return best.evidence;
+        elsewhere == places_.end() || strongest.strength - elsewhere->strength >= options_.min_lead;
+    const Place* best = &strongest;
+    for (const Place& place : places_)
+        if (is_beside(place) && misfit_m2(place.evidence.fit) < misfit_m2(best->evidence.fit))
+            best = &place;
+    const bool is_sharp = std::none_of(
+        places_.begin(), places_.end(),
+        [&](const Place& place)
+        {
+            return &place != best && is_beside(place) &&
+                   misfit_m2(place.evidence.fit) < kSharper * misfit_m2(best->evidence.fit);
+        });
+    if (is_alone && is_sharp && best->good_in_a_row >= options_.confirm_scans)
+        return best->evidence;
     if (scans_followed_ >= options_.max_scans) restart();
     return std::nullopt;
 }

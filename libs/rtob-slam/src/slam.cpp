@@ -172,7 +172,8 @@ const ScanReport& Slam::startMap(const Pose2& pose_map_init, const std::string& 
     doubt_ = {};
     insertion_.clear();
     travel_ = TravelLog();
-    thinner_.makeRoom(map_, travel_);
+    map_belief_.clear();
+    thinner_.makeRoom(map_, travel_, map_belief_);
     drift_ = Drift(options_.drift);
     report_.searched = false;  // nothing of what was found is used
     report_.map_time_s = map_.tick(report_.stamp_s);
@@ -209,8 +210,7 @@ void Slam::report(const Match& match, TrackingState state)
     {
         matched_at_ = match.pose_map_vehicle;
         believed = velocity_shown(match.fit_local);
-        belief_.matched(match.fit_local.covariance);
-        if (match.covariance_old) belief_.held(*match.covariance_old);
+        believe(match);
     }
     report_.covariance = belief_.inLocalMap();
     report_.covariance_in_map = belief_.inMap();
@@ -225,6 +225,16 @@ void Slam::report(const Match& match, TrackingState state)
         believed);
     prealignment_.correct(report_.pose_map_vehicle);
     motion_.settle(report_.pose_map_vehicle, match.fit_local.covariance, matched);
+}
+
+/// What the match tells of how far off the pose may be.
+void Slam::believe(const Match& match)
+{
+    belief_.matched(match.fit_local.covariance);
+    if (!match.covariance_old) return;
+    const std::size_t old_end = travel_.scansBefore(options_.anchor.min_path_m);
+    belief_.held(
+        *match.covariance_old, map_belief_.near(map_.view(), match.pose_map_vehicle, old_end));
 }
 
 /// Only what was matched while TRACKING enters the map. What a search found must first be confirmed
@@ -244,6 +254,7 @@ void Slam::insert(const Match& match, const std::string& laser)
     map_.insertScan(report_.map_time_s, report_.pose_map_vehicle, points_vehicle_.view());
     insertion_.inserted(laser, report_.map_time_s, report_.pose_map_vehicle);
     travel_.inserted(report_.pose_map_vehicle);
+    map_belief_.inserted(belief_.inMap());
     belief_.inserted();
     if (!is_doubted) relocaliser_.forgetMap();
     report_.inserted = true;

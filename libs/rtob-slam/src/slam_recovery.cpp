@@ -47,9 +47,13 @@ void Slam::continueIn(const RtobMap& map, const std::optional<Pose2>& pose_map_v
     map_.setOptions(map_options(options_));
     insertion_.clear();
     travel_ = TravelLog();
+    map_belief_.clear();
     for (std::size_t scan = 0; scan < map_.scans().size(); ++scan)
+    {
         travel_.inserted(map_.scans().pose(scan));
-    thinner_.makeRoom(map_, travel_);
+        map_belief_.inserted(Eigen::Matrix3d::Zero());  // the map is taken as it is
+    }
+    thinner_.makeRoom(map_, travel_, map_belief_);
     scans_of_map_ = map_.scans().size();
     drift_ = Drift(options_.drift);
     drift_.heldNow(travel_);  // the pose is given, or will be found, in this map
@@ -80,6 +84,7 @@ void Slam::keepOnly(const std::vector<char>& keep)
 {
     map_.keepOnly(keep);
     travel_.keepOnly(keep);
+    map_belief_.keepOnly(keep);
     local_.drop();
 }
 
@@ -187,8 +192,8 @@ const ScanReport& Slam::recover(const Pose2& pose_map_init, const std::string& l
     reset(found->pose_map_vehicle);
     drift_.heldNow(travel_);
     tracking_.start();
-    belief_.forget();
     const Pose2& pose = found->pose_map_vehicle;
+    belief_.forget(map_belief_.near(map_.view(), pose, map_.scans().size()));
     report({pose, found->fit, FitVerdict::Good, pose, found->fit}, tracking_.state());
     continuity_.tracked(laser, found->pose_map_vehicle, points_vehicle_);
     return report_;

@@ -89,6 +89,22 @@ TEST(RecoveryTrials, NoPlaceIsFarEnoughInASmallRoom)
     EXPECT_TRUE(kidnap_trials(laps(), {}, trials).empty());
 }
 
+TEST(RecoveryText, TellsOfAPlaceThatIsHardlyMappedFromOneThatIsNotFound)
+{
+    RelocaliseTrial right, missed, unmapped;
+    right.outcome = Outcome::Right;
+    missed.scan = 22;
+    missed.explained_at_truth = 0.95;
+    unmapped.scan = 33;
+    unmapped.explained_at_truth = 0.4;
+    const std::string text = relocalise_text({right, missed, unmapped}, {});
+    EXPECT_THAT(text, HasSubstr("1 (33.3 %)"));
+    EXPECT_THAT(text, HasSubstr("not found                          2\n"));
+    EXPECT_THAT(
+        text, HasSubstr("not right, and hardly mapped       1 (less than 0.8 of a scan)\n"));
+    EXPECT_THAT(text, HasSubstr("scan 33: not found"));
+}
+
 TEST(RecoveryText, CountsWhatWasNoticedInTimeAndNamesTheRest)
 {
     KidnapTrial in_time, late, followed, missed;

@@ -207,6 +207,17 @@ TEST(SensorWatch, RefusesACovarianceThatIsNotPositive)
     EXPECT_EQ(watch.admit(pose, 1), ReadingFate::BadCovariance);
 }
 
+TEST(SensorWatch, DoesNotTakeAVehicleThatStandsForAStuckSensor)
+{
+    SensorWatch watch;
+    for (int i = 0; i < 200; ++i)
+    {
+        const Measurement pose{Kind::WayBegin, 0.1 * i, {3, 2, 1}, Eigen::Matrix3d::Identity()};
+        EXPECT_EQ(watch.admit(pose, 0.1 * i), ReadingFate::Used) << i;
+    }
+    EXPECT_EQ(watch.complaint(20), "");
+}
+
 TEST(SensorWatch, RefusesAStampFromTheFuture)
 {
     SensorWatch watch;

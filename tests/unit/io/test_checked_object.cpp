@@ -106,6 +106,7 @@ TEST_F(CheckedObject, SaysWhatIsWrongAndWhatToDo)
     EXPECT_THAT(
         refusal("/nowhere/map"),
         AllOf(HasSubstr("/nowhere/map: cannot be read"), HasSubstr("Check")));
+    EXPECT_THAT(refusal("/tmp"), HasSubstr("/tmp: cannot be read: Is a directory"));
 }
 
 TEST_F(CheckedObject, NamesTheFileThatCannotBeWritten)

@@ -79,8 +79,9 @@ TEST(MapThinner, AMapUnderTheCapStaysThereForEver)
 {
     RtobMap map;
     TravelLog travel;
+    MapBelief belief;
     MapThinner thinner(kCap);
-    thinner.makeRoom(map, travel);
+    thinner.makeRoom(map, travel, belief);
     const std::size_t room = map.points().size;
     EXPECT_EQ(room, 0U);
     Points points;

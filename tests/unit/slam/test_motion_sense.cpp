@@ -157,6 +157,20 @@ TEST(MotionSense, UsesOneGyroUntilItDies)
     EXPECT_NEAR(watch.longestGap(), 0, 1.2);
 }
 
+TEST(MotionSense, CountsReadingsThatTheFilterDoesNotNeed)
+{
+    auto motion = sense(PrealignSource::Auto);
+    for (int i = 1; i <= 100; ++i)
+    {
+        motion.observe(odometry(0.1 * i, {3, 2, 1}));
+        scan(motion, 0.1 * i);
+    }
+    const auto& watch = motion.watch(MotionSensor::Odometry);
+    EXPECT_EQ(watch.readings(), 100U);
+    EXPECT_EQ(watch.with(ReadingFate::NotFused), 100U);
+    EXPECT_EQ(motion.complaint(MotionSensor::Odometry), "") << "it stands";
+}
+
 TEST(MotionSense, RefusesWhatCannotBe)
 {
     auto motion = sense();

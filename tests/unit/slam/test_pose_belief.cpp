@@ -23,6 +23,7 @@ Eigen::Matrix3d match(double sigma_x_m, double sigma_y_m = 0.005, double sigma_y
 }
 
 const Eigen::Matrix3d kTold = match(0.005);
+const Eigen::Matrix3d kCertain = Eigen::Matrix3d::Zero();
 const Eigen::Matrix3d kOpenAlongX = match(1000);
 
 void drive(PoseBelief& belief, int scans, const Eigen::Matrix3d& covariance)
@@ -108,10 +109,37 @@ TEST(PoseBelief, TellsTheLocalMapFromTheMapAfterACorridor)
     drive(belief, 20, kTold);
     EXPECT_LT(sigma(belief.inLocalMap(), 0), sigma(kTold, 0)) << "the end wall tells";
     EXPECT_GT(sigma(belief.inMap(), 0), 0.5 * lost_m) << "but it was written where it seemed to be";
-    belief.held(kTold);
+    belief.held(kTold, kCertain);
     EXPECT_LT(sigma(belief.inMap(), 0), 1.01 * sigma(kTold, 0)) << "old scans tell both";
     drive(belief, 1, kTold);
     EXPECT_LT(sigma(belief.inMap(), 0), 2 * sigma(kTold, 0)) << "and the local map with it";
+}
+
+TEST(PoseBelief, IsNoMoreCertainThanTheOldScansThatHoldIt)
+{
+    PoseBelief belief;
+    drive(belief, 100, kTold);
+    const Eigen::Matrix3d old = match(0.04, 0.03, 0.01);
+    for (int i = 0; i < 50; ++i)
+    {
+        drive(belief, 1, kTold);
+        belief.held(kTold, old);
+    }
+    for (const int axis : {0, 1, 2})
+    {
+        EXPECT_GE(sigma(belief.inMap(), axis), sigma(old, axis)) << axis;
+        EXPECT_LT(sigma(belief.inMap(), axis), 1.2 * sigma(old, axis)) << axis;
+        EXPECT_LT(sigma(belief.inLocalMap(), axis), sigma(kTold, axis)) << axis;
+    }
+}
+
+TEST(PoseBelief, FoundAgainItKnowsItsPlaceInTheMapAndNotWhereThatIs)
+{
+    PoseBelief belief;
+    belief.forget(match(0.04));
+    belief.matched(kTold);
+    EXPECT_NEAR(sigma(belief.inMap(), 0), std::hypot(0.04, 0.005), 1e-5);
+    EXPECT_NEAR(sigma(belief.inLocalMap(), 0), 0.005, 1e-5);
 }
 
 TEST(PoseBelief, GrowsByOdometryAsTheRootOfTheWay)
@@ -131,7 +159,8 @@ TEST(PoseBelief, StaysACovarianceWhateverComes)
     {
         belief.advance(i % 7 == 0 ? 0.0 : 0.3, {0.5 * std::cos(i), 0.5 * std::sin(i)}, i % 5 == 0);
         if (i % 3 != 0) belief.matched(i % 4 == 0 ? kOpenAlongX : match(1e-4, 1e-4, 1e-5));
-        if (i % 200 == 0) belief.held(kTold);
+        if (i % 200 == 0) belief.held(kTold, kCertain);
+        if (i % 300 == 0) belief.held(kOpenAlongX, match(0.1));
         if (i % 2 == 0) belief.inserted();
         for (const Eigen::Matrix3d& covariance : {belief.inMap(), belief.inLocalMap()})
         {

@@ -15,6 +15,7 @@ namespace rtob
 enum class ReadingFate
 {
     Used,
+    NotFused,       ///< the filter does not run: the guess is made without it
     Gated,          ///< it contradicts the rest: beyond the NIS gate
     NotFinite,      ///< NaN or infinite, value or stamp
     BadCovariance,  ///< not positive definite
@@ -28,8 +29,9 @@ enum class ReadingFate
 
 constexpr auto enum_names(ReadingFate)
 {
-    return std::array<std::pair<ReadingFate, std::string_view>, 10>{
+    return std::array<std::pair<ReadingFate, std::string_view>, 11>{
         {{ReadingFate::Used, "used"},
+         {ReadingFate::NotFused, "not_fused"},
          {ReadingFate::Gated, "gated"},
          {ReadingFate::NotFinite, "not_finite"},
          {ReadingFate::BadCovariance, "bad_covariance"},

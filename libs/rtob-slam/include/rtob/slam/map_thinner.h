@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <rtob/map/rtob_map.h>
+#include <rtob/slam/map_belief.h>
 #include <rtob/slam/travel_log.h>
 
 #include <cstddef>
@@ -22,7 +23,7 @@ class MapThinner
     explicit MapThinner(int max_points) : max_points_(static_cast<std::size_t>(max_points)) {}
 
     /// All the memory that the map will ever need.
-    void makeRoom(RtobMap& map, TravelLog& travel);
+    void makeRoom(RtobMap& map, TravelLog& travel, MapBelief& belief);
 
     [[nodiscard]] bool isDue(const RtobMap& map, std::size_t more_points) const
     {

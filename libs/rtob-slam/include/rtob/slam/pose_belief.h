@@ -27,8 +27,9 @@ class PoseBelief
     /// Nothing is as certain as where a map begins; how fast the vehicle moves is not known.
     void begin();
 
-    /// The vehicle was lost: only matches to come say where it is.
-    void forget();
+    /// The vehicle was lost: only matches to come say where it is in the local map.
+    /// @param covariance_map of that itself (MapBelief)
+    void forget(const Eigen::Matrix3d& covariance_map = Eigen::Matrix3d::Zero());
 
     /// The vehicle has moved on.
     /// @param way_map since the last scan: what an error of yaw makes of it counts
@@ -39,8 +40,11 @@ class PoseBelief
     /// @param covariance of the match alone
     void matched(const Eigen::Matrix3d& covariance);
 
-    /// A scan was matched against the map as it was before the vehicle can have drifted.
-    void held(const Eigen::Matrix3d& covariance);
+    /// A scan was matched against the map as it was before the vehicle can have drifted. However
+    /// often that is done, the pose is no more certain than these old scans are.
+    /// @param covariance of the match alone
+    /// @param covariance_old of the old scans in the map (MapBelief)
+    void held(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& covariance_old);
 
     /// The scan has become part of the local map.
     void inserted();
@@ -57,6 +61,7 @@ class PoseBelief
     /// Variances of the velocity after 1 s.
     [[nodiscard]] Eigen::Vector3d change() const;
     void update(const Seen& seen, const Eigen::Matrix3d& covariance);
+    void raiseTo(const Eigen::Matrix3d& least);
 
     FusionOptions noises_;
     State p_ = State::Zero();

@@ -10,6 +10,7 @@
 #include <rtob/slam/local_reference.h>
 #include <rtob/slam/local_search.h>
 #include <rtob/slam/loop_search.h>
+#include <rtob/slam/map_belief.h>
 #include <rtob/slam/map_thinner.h>
 #include <rtob/slam/motion_sense.h>
 #include <rtob/slam/pose_belief.h>
@@ -112,6 +113,7 @@ class Slam
     void insert(const Match& match, const std::string& laser);
     void keepOnly(const std::vector<char>& keep);
     void takeBackDoubted();
+    void believe(const Match& match);
 
     SlamOptions options_;
     RtobMap map_;
@@ -130,6 +132,7 @@ class Slam
     LocalSearch search_;
     Continuity continuity_;
     Relocaliser relocaliser_;
+    MapBelief map_belief_;
     MapThinner thinner_;
 
     Pose2 matched_at_;              ///< in map; where a scan last fitted
