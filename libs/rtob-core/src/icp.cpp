@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::size_t kMinPairs = 3;
 // While the pair distance shrinks, steps so many times the last one's bring it to the end at once.
-constexpr double kCoarseRest = 20;
+constexpr double kCoarseRest = 10;
 // Ground is known where the reference has a point within this many pair distances.
 constexpr double kKnownReach = 3;
 // A pair that lies on no line constrains both directions; one on a line, this little along it.

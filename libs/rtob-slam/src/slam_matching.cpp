@@ -29,6 +29,9 @@ double unexplained_m2(const IcpResult& fit, double pair_distance_m)
            (1 - fit.paired_share) * pair_distance_m * pair_distance_m;
 }
 
+// Slower from scan to scan, a vehicle shows nothing of its odometry.
+constexpr double kStands_m = 0.02, kStands_rad = 0.02;
+
 // What contradicts odometry has to leave so much less unexplained than what agrees with it.
 constexpr double kAboutAsWell = 1.5;
 
@@ -153,7 +156,9 @@ void Slam::holdToOdometry(const Pose2& pose_map_init, Match& match)
             return;
         }
     }
-    if (!match.is_found) guess_errors_.learn(error);
+    const Pose2 way = between(prealignment_.last(), pose_map_init);
+    const bool stands = std::hypot(way.x, way.y) < kStands_m && std::abs(way.yaw) < kStands_rad;
+    if (!match.is_found && !stands) guess_errors_.learn(error);
 }
 
 /// Beyond the paper: in places seen before, the old scans decide.
