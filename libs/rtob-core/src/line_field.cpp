@@ -22,11 +22,8 @@ void LineField::reset(const NeighbourGrid& grid, double radius_m)
 const LineField::Line& LineField::at(const NeighbourGrid& grid, std::int32_t index)
 {
     Line& line = lines_[static_cast<std::size_t>(index)];
-    if (line.known) return line;
-    const std::int32_t first = grid.firstInCell(index);
-    Line& of_cell = lines_[static_cast<std::size_t>(first)];
-    if (!of_cell.known) of_cell = fit(grid, first);
-    return line = of_cell;
+    if (!line.known) line = fit(grid, index);
+    return line;
 }
 
 LineField::Line LineField::fit(const NeighbourGrid& grid, std::int32_t index) const

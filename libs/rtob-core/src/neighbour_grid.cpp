@@ -12,7 +12,7 @@ namespace rtob
 namespace
 {
 constexpr double kCellsPerRadius = 8;
-constexpr std::size_t kCellsPerPoint = 2;
+constexpr std::size_t kCellsPerPoint = 4;
 constexpr std::uint32_t kDropped = std::numeric_limits<std::uint32_t>::max();
 
 // Enough cells that few share one, and more cells in a row than a query is wide.
@@ -80,19 +80,6 @@ NeighbourGrid::Sums NeighbourGrid::sumsNear(float x, float y, float radius_m) co
     Sums sums;
     sum_neighbours(table(), x, y, radius_m, sums);
     return sums;
-}
-
-std::int32_t NeighbourGrid::firstInCell(std::int32_t index) const
-{
-    const CellTable cells = table();
-    const auto i = static_cast<std::size_t>(index);
-    const std::int32_t column = cell_of(cells, sorted_.x[i]), row = cell_of(cells, sorted_.y[i]);
-    const std::int32_t mask = side_ - 1;
-    // The table wraps around: far points may come first.
-    auto first = cell_begin_[static_cast<std::size_t>((row & mask) * side_ + (column & mask))];
-    while (cell_of(cells, sorted_.x[first]) != column || cell_of(cells, sorted_.y[first]) != row)
-        ++first;
-    return static_cast<std::int32_t>(first);
 }
 
 CellTable NeighbourGrid::table() const

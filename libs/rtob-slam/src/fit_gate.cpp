@@ -18,6 +18,12 @@ void FitGateOptions::validate() const
     require(min_pairs >= 3, "min_pairs", min_pairs, ">= 3");
 }
 
+double misfit_m2(const IcpResult& fit, double unpaired_m)
+{
+    return fit.paired_share * fit.mean_squared_error +
+           (1 - fit.paired_share) * unpaired_m * unpaired_m;
+}
+
 FitVerdict judge_fit(const IcpResult& fit, const FitGateOptions& options)
 {
     if (fit.pairs == 0) return FitVerdict::None;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/core/option_checks.h>
+#include <rtob/slam/fit_gate.h>
 #include <rtob/slam/relocaliser.h>
 #include <rtob/slam/turned_points.h>
 
@@ -40,10 +41,9 @@ IcpOptions to_the_end(IcpOptions icp)
     return icp;
 }
 
-double misfit_m2(const IcpResult& fit)
+double misfit_of(const PlaceEvidence& place)
 {
-    return fit.paired_share * fit.mean_squared_error +
-           (1 - fit.paired_share) * kUnpaired_m * kUnpaired_m;
+    return misfit_m2(place.fit, kUnpaired_m);
 }
 
 bool is_carried(const Pose2& from, const Pose2& to)
@@ -226,14 +226,14 @@ std::optional<PlaceEvidence> Relocaliser::decide()
         elsewhere == places_.end() || strongest.strength - elsewhere->strength >= options_.min_lead;
     const Place* best = &strongest;
     for (const Place& place : places_)
-        if (is_beside(place) && misfit_m2(place.evidence.fit) < misfit_m2(best->evidence.fit))
+        if (is_beside(place) && misfit_of(place.evidence) < misfit_of(best->evidence))
             best = &place;
     const bool is_sharp = std::none_of(
         places_.begin(), places_.end(),
         [&](const Place& place)
         {
             return &place != best && is_beside(place) &&
-                   misfit_m2(place.evidence.fit) < kSharper * misfit_m2(best->evidence.fit);
+                   misfit_of(place.evidence) < kSharper * misfit_of(best->evidence);
         });
     if (is_alone && is_sharp && best->good_in_a_row >= options_.confirm_scans)
         return best->evidence;

@@ -21,14 +21,6 @@ constexpr double kSameTurn_rad = 0.03;
 // The second guess has to leave this share of what the first one leaves unexplained.
 constexpr double kBetterShare = 0.8;
 
-/// Mean squared distance of the scan's points to their neighbours, no distance counting for more
-/// than the largest of a pair [m^2].
-double unexplained_m2(const IcpResult& fit, double pair_distance_m)
-{
-    return fit.paired_share * fit.mean_squared_error +
-           (1 - fit.paired_share) * pair_distance_m * pair_distance_m;
-}
-
 // Slower from scan to scan, a vehicle shows nothing of its odometry.
 constexpr double kStands_m = 0.02, kStands_rad = 0.02;
 
@@ -50,8 +42,8 @@ Slam::Match Slam::matchGuess(const Pose2& pose_map_init)
         return going_on;
     const Match ended = matchAround(at_rest);
     const double distance_m = options_.icp.final_pair_distance_m;
-    const bool has_ended = unexplained_m2(ended.fit, distance_m) <
-                           kBetterShare * unexplained_m2(going_on.fit, distance_m);
+    const bool has_ended =
+        misfit_m2(ended.fit, distance_m) < kBetterShare * misfit_m2(going_on.fit, distance_m);
     return has_ended ? ended : going_on;
 }
 
@@ -149,8 +141,8 @@ void Slam::holdToOdometry(const Pose2& pose_map_init, Match& match)
     {
         const Match held = matchAround(pose_map_init, IcpReach::Near);
         const double distance_m = options_.icp.final_pair_distance_m;
-        if (is_match(held.verdict) && unexplained_m2(held.fit, distance_m) <
-                                          kAboutAsWell * unexplained_m2(match.fit, distance_m))
+        if (is_match(held.verdict) &&
+            misfit_m2(held.fit, distance_m) < kAboutAsWell * misfit_m2(match.fit, distance_m))
         {
             match = held;
             return;

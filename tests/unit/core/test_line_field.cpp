@@ -70,20 +70,3 @@ TEST(LineField, PointsWithoutADirectionMakeNoLine)
         EXPECT_EQ(field.lines.at(field.grid, i).normal_y, 0) << x << ", " << y;
     }
 }
-
-TEST(LineField, ThePointsOfACellShareALine)
-{
-    // A wall that bends by a right angle at the origin.
-    Points points;
-    for (int i = -20; i <= 0; ++i) points.add(0.01f * static_cast<float>(i), 0);
-    for (int i = 1; i <= 20; ++i) points.add(0, 0.01f * static_cast<float>(i));
-    Field field(points);
-    for (std::int32_t i = 0; i < 41; ++i)
-    {
-        const auto& own = field.lines.at(field.grid, i);
-        const auto& shared = field.lines.at(field.grid, field.grid.firstInCell(i));
-        EXPECT_EQ(own.normal_x, shared.normal_x);
-        EXPECT_EQ(own.normal_y, shared.normal_y);
-    }
-    EXPECT_NEAR(field.lines.at(field.grid, 0).normal_x, 0, 0.1);  // the lower row comes first
-}

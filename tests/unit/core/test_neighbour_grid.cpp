@@ -242,27 +242,3 @@ TEST(NeighbourGrid, RefusesARadiusOfNothing)
     EXPECT_THROW(grid.build({}, 0), std::invalid_argument);
     EXPECT_THROW(grid.build({}, -1), std::invalid_argument);
 }
-
-TEST(NeighbourGrid, TheFirstOfACellIsNoFarPointThatSharesItsPlaceInTheTable)
-{
-    constexpr float kRadius_m = 0.8f, kCell_m = kRadius_m / 8;  // kCellsPerRadius
-    rtob::Random random(4);
-    Points points;  // over 100 m: the table of 64 cells in a row wraps around 15 times
-    for (int i = 0; i < 2000; ++i)
-        points.add(
-            kCell_m * static_cast<float>(static_cast<int>(random.below(1000))) + 0.05f,
-            kCell_m * static_cast<float>(static_cast<int>(random.below(3))) + 0.05f);
-    NeighbourGrid grid;
-    grid.build(points.view(), kRadius_m);
-    for (std::int32_t i = 0; i < 2000; ++i)
-    {
-        const std::int32_t first = grid.firstInCell(i);
-        EXPECT_LE(first, i);
-        EXPECT_NEAR(grid.points().x[first], grid.points().x[i], 1e-3);  // the middles of cells
-        EXPECT_NEAR(grid.points().y[first], grid.points().y[i], 1e-3);
-        for (std::int32_t before = 0; before < first; ++before)
-            EXPECT_FALSE(
-                std::abs(grid.points().x[before] - grid.points().x[i]) < 1e-3f &&
-                std::abs(grid.points().y[before] - grid.points().y[i]) < 1e-3f);
-    }
-}

@@ -88,3 +88,13 @@ TEST(FitGateOptions, RefusesValuesOutOfRange)
     refuses(&FitGateOptions::min_pairs, 2);
     EXPECT_NO_THROW(FitGateOptions().validate());
 }
+
+TEST(FitGate, APointWithoutANeighbourCountsAsAFarOne)
+{
+    IcpResult fit = good_fit();
+    fit.paired_share = 0.75;
+    fit.mean_squared_error = 0.01;
+    // Three quarters at 0.01 m^2, one quarter at (0.2 m)^2.
+    EXPECT_NEAR(rtob::misfit_m2(fit, 0.2), 0.75 * 0.01 + 0.25 * 0.04, 1e-12);
+    EXPECT_NEAR(rtob::misfit_m2(IcpResult(), 0.2), 0.04, 1e-12);
+}

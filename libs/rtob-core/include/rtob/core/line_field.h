@@ -5,8 +5,7 @@
 
 namespace rtob
 {
-/// The local line at each reference point, fitted when it is first asked for: around the first point
-/// of its cell, once for all points of the cell.
+/// The local line through each reference point, fitted when it is first asked for.
 class LineField
 {
  public:

@@ -58,9 +58,6 @@ class NeighbourGrid
         return {sorted_.x.data(), sorted_.y.data(), original_.size()};
     }
 
-    /// The first of the sorted points that share the point's cell.
-    [[nodiscard]] std::int32_t firstInCell(std::int32_t index) const;
-
     /// How many points there may be without more memory.
     [[nodiscard]] std::size_t capacity() const { return original_.capacity(); }
 

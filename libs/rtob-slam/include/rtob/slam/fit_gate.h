@@ -41,6 +41,10 @@ enum class FitVerdict
     return verdict == FitVerdict::Good || verdict == FitVerdict::NewGround;
 }
 
+/// Mean squared distance of the scan's points to their neighbours, where a point that found none
+/// counts as one at `unpaired_m` [m^2].
+[[nodiscard]] double misfit_m2(const IcpResult& fit, double unpaired_m);
+
 /// Decides whether an aligned scan may change the map, sec. 2.1.3.
 [[nodiscard]] FitVerdict judge_fit(const IcpResult& fit, const FitGateOptions& options);
 }  // namespace rtob

@@ -17,7 +17,7 @@ struct ScanFilterOptions
     double max_range_m = 40;
     std::string mask_deg;
     int max_beams = 720;
-    int max_matched = 250;
+    int max_matched = 400;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
