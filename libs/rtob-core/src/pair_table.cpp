@@ -9,6 +9,21 @@ namespace rtob
 {
 namespace
 {
+RTOB_INLINE void load_points(
+    const PairColumns& c, std::size_t i, FloatLanes& x, FloatLanes& y, FloatLanes& u, FloatLanes& v)
+{
+    load(c.x + i, x);
+    load(c.y + i, y);
+    load(c.u + i, u);
+    load(c.v + i, v);
+}
+
+RTOB_INLINE void load_normals(const PairColumns& c, std::size_t i, FloatLanes& nx, FloatLanes& ny)
+{
+    load(c.nx + i, nx);
+    load(c.ny + i, ny);
+}
+
 RTOB_SIMD_CLONES void square_distances(const PairColumns& c, float* squared_distance)
 {
     for (std::size_t i = 0; i < c.blocks * kLanes; ++i)
@@ -29,12 +44,8 @@ RTOB_SIMD_CLONES void line_residuals(const PairColumns& c, float* squared_residu
     for (std::size_t i = 0; i < c.blocks * kLanes; i += kLanes)
     {
         FloatLanes x, y, u, v, nx, ny, d2;
-        load(c.x + i, x);
-        load(c.y + i, y);
-        load(c.u + i, u);
-        load(c.v + i, v);
-        load(c.nx + i, nx);
-        load(c.ny + i, ny);
+        load_points(c, i, x, y, u, v);
+        load_normals(c, i, nx, ny);
         load(c.d2 + i, d2);
         const FloatLanes across = nx * (x - u) + ny * (y - v);
         store(nx * nx + ny * ny > 0 ? across * across : d2, squared_residual + i);
@@ -89,10 +100,7 @@ RTOB_SIMD_CLONES void add_motion_lanes(
     {
         FloatLanes w, x, y, u, v;
         load(weight + i, w);
-        load(c.x + i, x);
-        load(c.y + i, y);
-        load(c.u + i, u);
-        load(c.v + i, v);
+        load_points(c, i, x, y, u, v);
         x -= origin_x;
         y -= origin_y;
         u -= origin_x;
@@ -132,12 +140,8 @@ RTOB_SIMD_CLONES void add_normal_lanes(
     {
         FloatLanes w, x, y, u, v, nx, ny;
         load(weight + i, w);
-        load(c.x + i, x);
-        load(c.y + i, y);
-        load(c.u + i, u);
-        load(c.v + i, v);
-        load(c.nx + i, nx);
-        load(c.ny + i, ny);
+        load_points(c, i, x, y, u, v);
+        load_normals(c, i, nx, ny);
         // The metric: 1 across the line, along_line along it; 1 both ways on no line.
         const FloatLanes isotropic = w * (nx * nx + ny * ny > 0 ? along : one);
         const FloatLanes across = w * (1 - along_line);
