@@ -37,6 +37,11 @@ void GlobalSearch::begin(
     if (raster.empty() || thinned_.size() == 0) next_heading_ = headings_;
 }
 
+double GlobalSearch::mostLeftOut() const
+{
+    return candidates_.size() < kMostCandidates ? 0.0 : candidates_.back().score;
+}
+
 void GlobalSearch::thin(const PointsView& points_vehicle)
 {
     thinned_.clear();

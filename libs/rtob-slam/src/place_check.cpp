@@ -12,25 +12,78 @@ namespace
 // What lies nearer to the laser or to the beam's end may be the vehicle's edge, or noise.
 constexpr double kNearLaser_m = 0.5, kNearEnd_m = 0.5;
 constexpr std::size_t kEveryBeam = 2;
+// How far around a scan's points the map is looked at.
+constexpr double kMargin_m = 1.0;
+// Scans come to rest some 20 to 50 cm beside the true place along walls with a pattern.
+constexpr double kRing_m = 0.3;
+constexpr int kRingPlaces = 6;
+constexpr double kTwoPi = 6.28318530717958648;
+// How far off the points of a raster are from a scan that was taken there: their cells are 0.1 m.
+constexpr double kInPlace_m = 0.032;
 }  // namespace
 
+namespace
+{
+void weigh(const MapRaster& raster, const PointsView& points_vehicle, PlaceEvidence& evidence)
+{
+    evidence.on_points_share = share_on_points(raster, points_vehicle, evidence.pose_map_vehicle);
+    evidence.through_share = share_through_walls(raster, points_vehicle, evidence.pose_map_vehicle);
+}
+}  // namespace
+
+double PlaceEvidence::logMisfit(double explained_share)
+{
+    return std::log(
+        explained_share * kInPlace_m * kInPlace_m +
+        (1 - explained_share) * kUnpaired_m * kUnpaired_m);
+}
+
 PlaceEvidence PlaceCheck::look(
+    const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess)
+{
+    prepare(raster, points_vehicle, pose_map_guess);
+    PlaceEvidence evidence = refine(pose_map_guess, {0, 0});
+    weigh(raster, points_vehicle.view(), evidence);
+    return evidence;
+}
+
+PlaceEvidence PlaceCheck::lookAround(
+    const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess)
+{
+    prepare(raster, points_vehicle, pose_map_guess);
+    PlaceEvidence best = refine(pose_map_guess, {0, 0});
+    for (int k = 0; k < kRingPlaces; ++k)
+    {
+        const double angle = kTwoPi * k / kRingPlaces;
+        const PlaceEvidence other =
+            refine(pose_map_guess, kRing_m * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        if (other.logMisfit() < best.logMisfit()) best = other;
+    }
+    weigh(raster, points_vehicle.view(), best);
+    return best;
+}
+
+void PlaceCheck::prepare(
     const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess)
 {
     const Box seen_map = turn_points(pose_map_guess, points_vehicle.view(), points_turned_);
     // Made equal to all sides, so that the points come seen from the vehicle.
     const double half_width_m =
-        1.0 + std::max(
-                  std::max(pose_map_guess.x - seen_map.min_x, seen_map.max_x - pose_map_guess.x),
-                  std::max(pose_map_guess.y - seen_map.min_y, seen_map.max_y - pose_map_guess.y));
+        kMargin_m +
+        std::max(
+            std::max(pose_map_guess.x - seen_map.min_x, seen_map.max_x - pose_map_guess.x),
+            std::max(pose_map_guess.y - seen_map.min_y, seen_map.max_y - pose_map_guess.y));
     raster.collect(Box::around(pose_map_guess.x, pose_map_guess.y, half_width_m), points_around_);
+    icp_.prepare(points_around_.view(), reference_);
+}
+
+PlaceEvidence PlaceCheck::refine(const Pose2& pose_map_guess, const Eigen::Vector2d& from)
+{
     PlaceEvidence evidence;
-    evidence.fit = icp_.align(points_turned_.view(), points_around_.view());
-    evidence.pose_map_vehicle = apply_correction(pose_map_guess, evidence.fit.correction);
-    evidence.on_points_share =
-        share_on_points(raster, points_vehicle.view(), evidence.pose_map_vehicle);
-    evidence.through_share =
-        share_through_walls(raster, points_vehicle.view(), evidence.pose_map_vehicle);
+    evidence.fit = icp_.align(points_turned_.view(), reference_, from);
+    evidence.pose_map_vehicle = apply_correction(
+        {pose_map_guess.x + from.x(), pose_map_guess.y + from.y(), pose_map_guess.yaw},
+        evidence.fit.correction);
     return evidence;
 }
 

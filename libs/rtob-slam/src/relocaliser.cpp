@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <rtob/core/option_checks.h>
-#include <rtob/slam/fit_gate.h>
 #include <rtob/slam/relocaliser.h>
 #include <rtob/slam/turned_points.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rtob
 {
@@ -24,10 +24,11 @@ constexpr double kSame_m = 0.3, kSame_rad = 0.1;
 // Tracking that slipped, as where people hide the walls, comes back from nearer by itself, and of a
 // corridor's two directions the odd scan takes the wrong one.
 constexpr double kCarried_m = 2.5;
-// Along a corridor a scan comes to rest at several places beside each other, which explain it about
-// equally. Their misfits tell which one it is: the others must be so many times worse.
-constexpr double kBeside_m = 1.0, kBeside_rad = 0.3, kSharper = 1.4;
-constexpr double kUnpaired_m = 0.2;  // how far off a point without a neighbour counts
+// Scans in a row that must fit another place than the tracked one.
+constexpr int kConfirmedElsewhere = 2;
+// A scan that fits so well where the search left places out is a scan of anywhere.
+constexpr double kAnywhere = 0.98;
+constexpr std::size_t kMostRefined = 16, kMostFollowed = 12;
 // Of the alignment that refines a place.
 constexpr int kLookIterations = 60;
 constexpr double kLookStep_m = 0.0005;
@@ -39,11 +40,6 @@ IcpOptions to_the_end(IcpOptions icp)
     icp.iterations = std::max(icp.iterations, kLookIterations);
     icp.stop_step_m = std::min(icp.stop_step_m, kLookStep_m);
     return icp;
-}
-
-double misfit_of(const PlaceEvidence& place)
-{
-    return misfit_m2(place.fit, kUnpaired_m);
 }
 
 bool is_carried(const Pose2& from, const Pose2& to)
@@ -114,8 +110,9 @@ std::optional<PlaceEvidence> Relocaliser::take(
         follow(points_vehicle, motion);
     else if (search(points_vehicle, motion))
     {
-        if (pose_map_tracked) addPlace(*pose_map_tracked);
+        if (pose_map_tracked) places_.emplace_back().evidence.pose_map_vehicle = *pose_map_tracked;
         follow(points_vehicle, Pose2{});
+        refine(points_vehicle);
     }
     else
         return std::nullopt;
@@ -124,6 +121,7 @@ std::optional<PlaceEvidence> Relocaliser::take(
 }
 
 /// @return whether the search is over and its places, moved on to this scan, wait to be followed.
+/// After one that tells nothing, the next scan is searched for.
 bool Relocaliser::search(const Points& points_vehicle, const Pose2& pose_prev_now)
 {
     if (!searching_)
@@ -137,16 +135,11 @@ bool Relocaliser::search(const Points& points_vehicle, const Pose2& pose_prev_no
     if (!search_.advance(raster_, static_cast<std::size_t>(options_.looks_per_scan))) return false;
     searching_ = false;
     scans_followed_ = 0;
+    if (search_.mostLeftOut() >= kAnywhere) return false;
     for (const PlaceCandidate& candidate : search_.candidates())
-        addPlace(compose(candidate.pose_map_vehicle, pose_searched_now_));
+        places_.emplace_back().evidence.pose_map_vehicle =
+            compose(candidate.pose_map_vehicle, pose_searched_now_);
     return true;
-}
-
-void Relocaliser::addPlace(const Pose2& pose_map_vehicle)
-{
-    Place place;
-    place.evidence.pose_map_vehicle = pose_map_vehicle;
-    places_.push_back(place);
 }
 
 /// Without odometry: the motion since the last scan, by looking for this one in it.
@@ -174,38 +167,59 @@ void Relocaliser::follow(const Points& points_vehicle, const Pose2& pose_prev_no
 {
     ++scans_followed_;
     for (Place& place : places_)
+        add(check_.look(
+                raster_, points_vehicle, compose(place.evidence.pose_map_vehicle, pose_prev_now)),
+            place);
+}
+
+/// Looks around the best places of the first scan, which a search leaves rough.
+void Relocaliser::refine(const Points& points_vehicle)
+{
+    sortPlaces();
+    places_.resize(std::min(places_.size(), kMostRefined));
+    for (Place& place : places_)
     {
-        place.evidence = check_.look(
-            raster_, points_vehicle, compose(place.evidence.pose_map_vehicle, pose_prev_now));
-        place.strength += place.evidence.strength();
-        const bool is_good = place.evidence.on_points_share >= options_.min_explained_share &&
-                             place.evidence.through_share <= options_.max_through_share;
-        place.good_in_a_row = is_good ? place.good_in_a_row + 1 : 0;
+        const Pose2 pose_map_rough = place.evidence.pose_map_vehicle;
+        place = Place();
+        add(check_.lookAround(raster_, points_vehicle, pose_map_rough), place);
     }
 }
 
-/// Gives up places that do not explain the scan, and all but the strongest of those that have
-/// become one.
-void Relocaliser::weed()
+/// What the next scan says.
+void Relocaliser::add(const PlaceEvidence& evidence, Place& place) const
+{
+    place.evidence = evidence;
+    place.log_misfit += evidence.logMisfit();
+    const bool is_good = evidence.on_points_share >= options_.min_explained_share &&
+                         evidence.through_share <= options_.max_through_share;
+    place.good_in_a_row = is_good ? place.good_in_a_row + 1 : 0;
+}
+
+/// The best first.
+void Relocaliser::sortPlaces()
 {
     std::sort(
         places_.begin(), places_.end(),
-        [](const Place& a, const Place& b) { return a.strength > b.strength; });
+        [](const Place& a, const Place& b) { return a.log_misfit < b.log_misfit; });
+}
+
+/// Gives up places that do not explain the scan, all but the best of those that have become one,
+/// and those beyond a dozen.
+void Relocaliser::weed()
+{
+    sortPlaces();
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < places_.size(); ++k)
+    for (std::size_t k = 0; k < places_.size() && kept < kMostFollowed; ++k)
     {
         const Place& place = places_[k];
+        const Pose2& pose = place.evidence.pose_map_vehicle;
         const bool explains =
             place.evidence.on_points_share >= options_.min_explained_share - kRivalSlack &&
             place.evidence.through_share <= options_.max_through_share + kRivalSlack;
         const bool is_known = std::any_of(
             places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(kept),
             [&](const Place& other)
-            {
-                return is_near(
-                    other.evidence.pose_map_vehicle, place.evidence.pose_map_vehicle, kSame_m,
-                    kSame_rad);
-            });
+            { return is_near(other.evidence.pose_map_vehicle, pose, kSame_m, kSame_rad); });
         if (explains && !is_known) places_[kept++] = place;
     }
     places_.resize(kept);
@@ -214,50 +228,29 @@ void Relocaliser::weed()
 std::optional<PlaceEvidence> Relocaliser::decide()
 {
     if (places_.empty()) return std::nullopt;
-    const Place& strongest = places_.front();
-    const auto is_beside = [&](const Place& place)
-    {
-        return is_near(
-            place.evidence.pose_map_vehicle, strongest.evidence.pose_map_vehicle, kBeside_m,
-            kBeside_rad);
-    };
-    const auto elsewhere = std::find_if_not(places_.begin(), places_.end(), is_beside);
+    const Place& best = places_.front();
     const bool is_alone =
-        elsewhere == places_.end() || strongest.strength - elsewhere->strength >= options_.min_lead;
-    const Place* best = &strongest;
-    for (const Place& place : places_)
-        if (is_beside(place) && misfit_of(place.evidence) < misfit_of(best->evidence))
-            best = &place;
-    const bool is_sharp = std::none_of(
-        places_.begin(), places_.end(),
-        [&](const Place& place)
-        {
-            return &place != best && is_beside(place) &&
-                   misfit_of(place.evidence) < kSharper * misfit_of(best->evidence);
-        });
-    if (is_alone && is_sharp && best->good_in_a_row >= options_.confirm_scans)
-        return best->evidence;
+        places_.size() == 1 || places_[1].log_misfit - best.log_misfit >= options_.min_lead;
+    if (is_alone && best.good_in_a_row >= options_.confirm_scans) return best.evidence;
     if (scans_followed_ >= options_.max_scans) restart();
     return std::nullopt;
 }
 
-PlaceLead Relocaliser::leadOver(const Pose2& pose_map_tracked, double explained) const
+PlaceLead Relocaliser::leadOver(const Pose2& pose_map_tracked, double log_misfit) const
 {
-    if (places_.empty() || places_.front().good_in_a_row < options_.confirm_scans) return {};
-    const Place& best = places_.front();
-    const Pose2& pose_map_best = best.evidence.pose_map_vehicle;
-    if (is_near(pose_map_best, pose_map_tracked, kSame_m, kSame_rad)) return {};
-    double tracked = explained, second = explained;
+    const auto is_tracked = [&](const Place& place)
+    { return is_near(place.evidence.pose_map_vehicle, pose_map_tracked, kSame_m, kSame_rad); };
+    const auto best = std::find_if_not(places_.begin(), places_.end(), is_tracked);
+    if (best == places_.end() || best->good_in_a_row < kConfirmedElsewhere ||
+        !is_carried(pose_map_tracked, best->evidence.pose_map_vehicle))
+        return {};
+    double tracked = log_misfit, others = std::numeric_limits<double>::infinity();
     for (const Place& place : places_)
-    {
-        const Pose2& pose_map_place = place.evidence.pose_map_vehicle;
-        if (is_near(pose_map_place, pose_map_tracked, kSame_m, kSame_rad))
-            tracked = std::max(tracked, place.strength);
-        if (is_carried(pose_map_best, pose_map_place)) second = std::max(second, place.strength);
-    }
-    return {
-        best.strength - tracked, best.strength - second,
-        is_carried(pose_map_best, pose_map_tracked)};
+        if (is_tracked(place))
+            tracked = std::min(tracked, place.log_misfit);
+        else if (is_carried(best->evidence.pose_map_vehicle, place.evidence.pose_map_vehicle))
+            others = std::min(others, place.log_misfit);
+    return {tracked - best->log_misfit, others - best->log_misfit};
 }
 
 bool Relocaliser::hasRival(const Pose2& pose_map_tracked) const

@@ -17,17 +17,15 @@ namespace
 constexpr double kJump_m = 0.05, kJump_rad = 0.05;
 // By this share of the way from the last scan a drive may be expected wrongly.
 constexpr double kJumpShare = 0.5;
-// It was, where another place explains the scans better by this much,
-constexpr double kLeastLead = 0.15;
-// and leads all others by this much; what of the first scan did not agree with the one before
-// counts so often. (Shares of points, summed over the scans.)
-constexpr double kElsewhere = 0.8, kBreakWeight = 5;
-// Not where the tracked place explains so much of the newest scan.
-constexpr double kExplained = 0.9;
+// It was, where another place explains the scans so much better than the tracked one and any third,
+// in logarithms of the misfit, summed over the scans. On the logs as they are no place reached the
+// first where the vehicle had not been carried away,
+constexpr double kLeadOverTracked = 5, kLeadOverOthers = 1;
+// but for places whose first scan, the fragment of one, agreed more than this with the one before:
+// then more is asked, by so much for each share of the points.
+constexpr double kClearBreak = 0.7, kLeadForAgreement = 30;
 // A vehicle that has moved less since the doubt began sees what it has written itself.
 constexpr double kStood_m = 0.1, kStood_rad = 0.1;
-// Where less than this agrees, any better place will do: the vehicle is not where it is tracked.
-constexpr double kBroken = 0.6;
 // A place that has stood for so many scans stands.
 constexpr int kStands_scans = 6;
 
@@ -100,11 +98,14 @@ void Slam::doubt(const Pose2& pose_map_init, const std::string& laser, Match& ma
     const Pose2& tracked = match.pose_map_vehicle;
     const bool is_tracked = is_match(match.verdict);
     (void)lookEverywhere(pose_map_init, is_tracked ? std::optional(tracked) : std::nullopt);
-    const double explained = explainedShare(match);
+    const double log_misfit = PlaceEvidence::logMisfit(explainedShare(match));
     const int followed = relocaliser_.scansFollowed();
-    doubt_.explained = followed > 1 ? doubt_.explained + explained : explained;
+    doubt_.log_misfit = followed > 1 ? doubt_.log_misfit + log_misfit : log_misfit;
     if (!is_tracked) return;  // LOST, if it goes on
-    match.is_elsewhere = isElsewhere(tracked, explained);
+    const PlaceLead lead = relocaliser_.leadOver(tracked, doubt_.log_misfit);
+    const double enough =
+        kLeadOverTracked + kLeadForAgreement * std::max(0.0, doubt_.agreement - kClearBreak);
+    match.is_elsewhere = lead.over_tracked >= enough && lead.over_others >= kLeadOverOthers;
     const bool has_stood =
         followed >= kStands_scans || doubt_.scans >= options_.relocalise.max_scans ||
         (followed >= options_.relocalise.confirm_scans && !relocaliser_.hasRival(tracked));
@@ -139,17 +140,6 @@ double Slam::explainedShare(const Match& match)
     const StepTimer timer(report_.times.align_s);
     turn_points(tracked, matched_vehicle_.view(), points_turned_);
     return local_before_.align(icp_, points_turned_.view(), tracked).known_share;
-}
-
-/// @param explained share of the newest scan, at the tracked place
-bool Slam::isElsewhere(const Pose2& pose_map_tracked, double explained) const
-{
-    const PlaceLead lead = relocaliser_.leadOver(pose_map_tracked, doubt_.explained);
-    if (lead.over_tracked < kLeastLead) return false;
-    if (doubt_.agreement < kBroken) return true;
-    const double missing = options_.tracking.min_agreement - doubt_.agreement;
-    return explained < kExplained && lead.is_far &&
-           lead.over_all + kBreakWeight * missing >= kElsewhere;
 }
 
 /// The vehicle was not where the scans of the doubt were written.

@@ -103,29 +103,29 @@ PlaceLead lead_over(const Pose2& pose_first_claimed, double explained_share, int
             tracked);
     }
     EXPECT_GT(relocaliser.scansFollowed(), 0);
-    return relocaliser.leadOver(tracked, explained_share * relocaliser.scansFollowed());
+    return relocaliser.leadOver(
+        tracked, PlaceEvidence::logMisfit(explained_share) * relocaliser.scansFollowed());
 }
 
 TEST(Relocaliser, ATrackedPlaceStandsAgainstAllOthersWhereItIsRight)
 {
     const PlaceLead lead = lead_over(test::pose_in_house(60), 0.5, 6);
     EXPECT_EQ(lead.over_tracked, 0) << "the best place is the tracked one";
-    EXPECT_EQ(lead.over_all, 0);
-    EXPECT_FALSE(lead.is_far);
+    EXPECT_EQ(lead.over_others, 0);
 }
 
 TEST(Relocaliser, ATrackedPlaceFallsWhereItIsWrong)
 {
     const Pose2 other_room = test::pose_in_house(260);
-    EXPECT_EQ(lead_over(other_room, 0.6, 2).over_tracked, 0) << "not confirmed yet";
-    const PlaceLead lead = lead_over(other_room, 0.6, 5);
-    EXPECT_GT(lead.over_tracked, 3 * 0.3);  // the right place explains nearly all of each scan
-    EXPECT_LE(lead.over_tracked, 5 * 0.4);
-    EXPECT_GT(lead.over_all, 0);
-    EXPECT_LE(lead.over_all, lead.over_tracked);
-    EXPECT_TRUE(lead.is_far);
-    // Where the tracked place explains as much, there is no lead.
-    EXPECT_LE(lead_over(other_room, 1, 5).over_tracked, 0);
+    EXPECT_EQ(lead_over(other_room, 0.6, 1).over_tracked, 0) << "not confirmed yet";
+    // The right place leaves some 3 cm of each point; where 0.4 of them find nothing within 20 cm,
+    // the mean square is larger by exp(2.8).
+    const PlaceLead lead = lead_over(other_room, 0.6, 4);
+    EXPECT_GT(lead.over_tracked, 4 * 2.0);
+    EXPECT_LT(lead.over_tracked, 4 * 5.0);
+    EXPECT_GT(lead.over_others, 0);
+    // Where the tracked place explains as much, there is next to no lead.
+    EXPECT_LT(lead_over(other_room, 1, 4).over_tracked, 0.5 * lead.over_tracked);
 }
 
 /// A room that looks the same after half a turn. Its walls lie in the middle of raster cells: on

@@ -21,7 +21,7 @@ struct PlaceCandidate
 class GlobalSearch
 {
  public:
-    static constexpr std::size_t kMostCandidates = 12;
+    static constexpr std::size_t kMostCandidates = 96;
 
     /// Starts with another scan. The vehicle is looked for where the map was seen to be free.
     /// @param min_score [0, 1] places that score less are none.
@@ -33,6 +33,10 @@ class GlobalSearch
     /// What was found so far, the best first. Places nearer than half a metre and 15 degrees to
     /// each other are one.
     [[nodiscard]] const std::vector<PlaceCandidate>& candidates() const { return candidates_; }
+
+    /// [0, 1] what a place that is not among the candidates may score at most; 0 where none that
+    /// matters was left out.
+    [[nodiscard]] double mostLeftOut() const;
 
  private:
     struct Offset

@@ -4,6 +4,9 @@
 #include <rtob/core/map_raster.h>
 #include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
+#include <rtob/slam/fit_gate.h>
+
+#include <cmath>
 
 namespace rtob
 {
@@ -15,8 +18,13 @@ struct PlaceEvidence
     double on_points_share = 0;  ///< [0, 1] of the points that fall on the map's, to a cell
     double through_share = 1;    ///< [0, 1] of the beams that pass through what the map has
 
-    /// At most 1.
-    [[nodiscard]] double strength() const { return on_points_share - 0.5 * through_share; }
+    /// The logarithm of the mean squared distance: what the scan says against the place.
+    [[nodiscard]] double logMisfit() const { return std::log(misfit_m2(fit, kUnpaired_m)); }
+    /// The same of a place that is known to explain a share of the scan as well as any place can.
+    [[nodiscard]] static double logMisfit(double explained_share);
+
+ private:
+    static constexpr double kUnpaired_m = 0.2;  ///< how far off a point without a neighbour counts
 };
 
 /// Compares scans with places of a map that is drawn on a raster. Keeps buffers only.
@@ -28,9 +36,19 @@ class PlaceCheck
     /// Refines the pose by ICP, then looks.
     [[nodiscard]] PlaceEvidence look(
         const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess);
+    /// The same from a ring of places around the guess, too: of where they come to rest, the one is
+    /// taken whose misfit is the least. For guesses as rough as a search's.
+    [[nodiscard]] PlaceEvidence lookAround(
+        const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess);
 
  private:
+    void prepare(
+        const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess);
+    /// @param from where ICP begins, seen from the guess
+    [[nodiscard]] PlaceEvidence refine(const Pose2& pose_map_guess, const Eigen::Vector2d& from);
+
     Icp icp_;
+    IcpReference reference_;  ///< the map around the guess, seen from there
     Points points_turned_, points_around_;
 };
 

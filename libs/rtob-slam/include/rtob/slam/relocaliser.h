@@ -17,7 +17,7 @@ struct RelocaliseOptions
     double min_score = 0.5;
     double min_explained_share = 0.8;
     double max_through_share = 0.15;
-    double min_lead = 0.4;
+    double min_lead = 2;
     int confirm_scans = 3;
     int max_scans = 12;
     int looks_per_scan = 20'000'000;
@@ -39,8 +39,8 @@ struct RelocaliseOptions
             "1]");
         visit(
             "min_lead", s.min_lead,
-            "by how much a place must outdo any other, in shares of explained points, summed over "
-            "the scans; > 0");
+            "by how much a place must outdo any other, in logarithms of the misfit (mean squared "
+            "distance), summed over the scans; > 0");
         visit(
             "confirm_scans", s.confirm_scans,
             "scans in a row that must fit the place before it is believed; >= 1");
@@ -55,12 +55,12 @@ struct RelocaliseOptions
     void validate() const;
 };
 
-/// By how much a place explains scans better than others do, in shares of points summed over them.
+/// By how much a place explains scans better than others do, in logarithms of the misfit, summed
+/// over them.
 struct PlaceLead
 {
     double over_tracked = 0;  ///< than the place where the vehicle is tracked
-    double over_all = 0;      ///< than that and any other, those near it left out
-    bool is_far = false;      ///< too far from the tracked one for tracking to come back by itself
+    double over_others = 0;   ///< than any third one
 };
 
 /// Finds a vehicle in a map, from anywhere in it: the map is searched for a scan, the best places
@@ -92,8 +92,9 @@ class Relocaliser
         const std::optional<Pose2>& pose_map_tracked = std::nullopt);
 
     /// What the scans followed say for another place than the tracked one; nothing where no other
-    /// is confirmed. @param explained shares of the scans' points, summed, at the tracked place.
-    [[nodiscard]] PlaceLead leadOver(const Pose2& pose_map_tracked, double explained) const;
+    /// is confirmed, or none so far off that tracking would not come back by itself.
+    /// @param log_misfit of the scans, summed, at the tracked place.
+    [[nodiscard]] PlaceLead leadOver(const Pose2& pose_map_tracked, double log_misfit) const;
     /// For how many scans the places of the last search have been followed.
     [[nodiscard]] int scansFollowed() const { return scans_followed_; }
     /// Whether another place may yet do so.
@@ -106,13 +107,15 @@ class Relocaliser
     struct Place
     {
         PlaceEvidence evidence;  ///< of the newest scan
-        double strength = 0;     ///< summed over the scans
+        double log_misfit = 0;   ///< summed over the scans
         int good_in_a_row = 0;
     };
 
     [[nodiscard]] bool search(const Points& points_vehicle, const Pose2& pose_prev_now);
-    void addPlace(const Pose2& pose_map_vehicle);
     void follow(const Points& points_vehicle, const Pose2& pose_prev_now);
+    void refine(const Points& points_vehicle);
+    void add(const PlaceEvidence& evidence, Place& place) const;
+    void sortPlaces();
     void weed();
     [[nodiscard]] std::optional<PlaceEvidence> decide();
     [[nodiscard]] Pose2 motionTo(const Points& points_vehicle);

@@ -75,9 +75,9 @@ class Slam
     /// A scan did not follow the last one: is the vehicle still where it is tracked?
     struct Doubt
     {
-        int scans = 0;         ///< in a row; 0: none
-        double agreement = 1;  ///< of the scan that began it with the one before
-        double explained = 0;  ///< shares of the scans followed, summed, at the tracked place
+        int scans = 0;                 ///< in a row; 0: none
+        double agreement = 1;          ///< of the scan that began it with the one before
+        double log_misfit = 0;         ///< of the scans followed, summed, at the tracked place
         std::size_t scans_before = 0;  ///< in the map, when it began
         Pose2 pose_map_first{};        ///< where the scan that began it was tracked
     };
@@ -100,7 +100,6 @@ class Slam
     [[nodiscard]] bool beginsDoubt(
         const Pose2& pose_map_init, const std::string& laser, const Match& match);
     [[nodiscard]] double explainedShare(const Match& match);
-    [[nodiscard]] bool isElsewhere(const Pose2& pose_map_tracked, double explained) const;
     [[nodiscard]] std::optional<PlaceEvidence> lookEverywhere(
         const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked);
     void anchor(Match& match);
