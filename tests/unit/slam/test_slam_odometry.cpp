@@ -162,7 +162,8 @@ TEST(Slam, PassesOverOtherObservations)
 
 TEST(SlamOdometry, WhatSlipsOnceDoesNotHoldTheVehicle)
 {
-    // It goes back and forth, and odometry has been right for long; then the floor carries it 0.3 m on.
+    // It goes back and forth, and odometry has been right for long; then the floor carries it 0.3 m
+    // on.
     const auto pose_odom_at = [](int k) { return Pose2{0.05 * (k % 2), 0, 0}; };
     constexpr int kRight = 600;
     Slam slam;
