@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <rtob/slam/fit_gate.h>
 #include <rtob/slam/place_check.h>
 #include <rtob/slam/turned_points.h>
 
@@ -20,10 +21,9 @@ constexpr int kRingPlaces = 6;
 constexpr double kTwoPi = 6.28318530717958648;
 // How far off the points of a raster are from a scan that was taken there: their cells are 0.1 m.
 constexpr double kInPlace_m = 0.032;
-}  // namespace
+// How far off a point without a neighbour counts.
+constexpr double kUnpaired_m = 0.2;
 
-namespace
-{
 void weigh(const MapRaster& raster, const PointsView& points_vehicle, PlaceEvidence& evidence)
 {
     evidence.on_points_share = share_on_points(raster, points_vehicle, evidence.pose_map_vehicle);
@@ -31,18 +31,30 @@ void weigh(const MapRaster& raster, const PointsView& points_vehicle, PlaceEvide
 }
 }  // namespace
 
+double PlaceEvidence::logMisfit() const
+{
+    return std::log(misfit_m2(fit, kUnpaired_m));
+}
+
 double PlaceEvidence::logMisfit(double explained_share)
 {
-    return std::log(
-        explained_share * kInPlace_m * kInPlace_m +
-        (1 - explained_share) * kUnpaired_m * kUnpaired_m);
+    PlaceEvidence place;
+    place.fit.paired_share = explained_share;
+    place.fit.mean_squared_error = kInPlace_m * kInPlace_m;
+    return place.logMisfit();
+}
+
+PlaceEvidence PlaceCheck::settle(
+    const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess)
+{
+    prepare(raster, points_vehicle, pose_map_guess);
+    return refine(pose_map_guess, {0, 0});
 }
 
 PlaceEvidence PlaceCheck::look(
     const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess)
 {
-    prepare(raster, points_vehicle, pose_map_guess);
-    PlaceEvidence evidence = refine(pose_map_guess, {0, 0});
+    PlaceEvidence evidence = settle(raster, points_vehicle, pose_map_guess);
     weigh(raster, points_vehicle.view(), evidence);
     return evidence;
 }
@@ -50,8 +62,7 @@ PlaceEvidence PlaceCheck::look(
 PlaceEvidence PlaceCheck::lookAround(
     const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess)
 {
-    prepare(raster, points_vehicle, pose_map_guess);
-    PlaceEvidence best = refine(pose_map_guess, {0, 0});
+    PlaceEvidence best = settle(raster, points_vehicle, pose_map_guess);
     for (int k = 0; k < kRingPlaces; ++k)
     {
         const double angle = kTwoPi * k / kRingPlaces;

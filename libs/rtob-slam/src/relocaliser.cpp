@@ -111,7 +111,6 @@ std::optional<PlaceEvidence> Relocaliser::take(
     else if (search(points_vehicle, motion))
     {
         if (pose_map_tracked) places_.emplace_back().evidence.pose_map_vehicle = *pose_map_tracked;
-        follow(points_vehicle, Pose2{});
         refine(points_vehicle);
     }
     else
@@ -172,9 +171,15 @@ void Relocaliser::follow(const Points& points_vehicle, const Pose2& pose_prev_no
             place);
 }
 
-/// Looks around the best places of the first scan, which a search leaves rough.
+/// The first scan: a search leaves its places rough, so the best of them are looked around.
 void Relocaliser::refine(const Points& points_vehicle)
 {
+    scans_followed_ = 1;
+    for (Place& place : places_)
+    {
+        place.evidence = check_.settle(raster_, points_vehicle, place.evidence.pose_map_vehicle);
+        place.log_misfit = place.evidence.logMisfit();
+    }
     sortPlaces();
     places_.resize(std::min(places_.size(), kMostRefined));
     for (Place& place : places_)

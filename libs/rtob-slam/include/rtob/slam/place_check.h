@@ -4,9 +4,6 @@
 #include <rtob/core/map_raster.h>
 #include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
-#include <rtob/slam/fit_gate.h>
-
-#include <cmath>
 
 namespace rtob
 {
@@ -19,12 +16,9 @@ struct PlaceEvidence
     double through_share = 1;    ///< [0, 1] of the beams that pass through what the map has
 
     /// The logarithm of the mean squared distance: what the scan says against the place.
-    [[nodiscard]] double logMisfit() const { return std::log(misfit_m2(fit, kUnpaired_m)); }
+    [[nodiscard]] double logMisfit() const;
     /// The same of a place that is known to explain a share of the scan as well as any place can.
     [[nodiscard]] static double logMisfit(double explained_share);
-
- private:
-    static constexpr double kUnpaired_m = 0.2;  ///< how far off a point without a neighbour counts
 };
 
 /// Compares scans with places of a map that is drawn on a raster. Keeps buffers only.
@@ -33,6 +27,9 @@ class PlaceCheck
  public:
     explicit PlaceCheck(const IcpOptions& icp) : icp_(icp) {}
 
+    /// Refines the pose by ICP, and leaves the shares alone.
+    [[nodiscard]] PlaceEvidence settle(
+        const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess);
     /// Refines the pose by ICP, then looks.
     [[nodiscard]] PlaceEvidence look(
         const MapRaster& raster, const Points& points_vehicle, const Pose2& pose_map_guess);

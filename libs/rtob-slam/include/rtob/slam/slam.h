@@ -100,6 +100,7 @@ class Slam
     [[nodiscard]] bool beginsDoubt(
         const Pose2& pose_map_init, const std::string& laser, const Match& match);
     [[nodiscard]] double explainedShare(const Match& match);
+    [[nodiscard]] bool isElsewhere(const Pose2& pose_map_tracked) const;
     [[nodiscard]] std::optional<PlaceEvidence> lookEverywhere(
         const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked);
     void anchor(Match& match);
