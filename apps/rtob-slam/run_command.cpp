@@ -29,7 +29,8 @@ struct RunFlags
 constexpr const char* footer =
     "LOG is an MRPT rawlog (either format) or a CARMEN log, plain or packed by gzip or bzip2.\n"
     "Flags win over the .ini; rtob-slam options lists its keys.\n"
-    "The folder gets trajectory.tum, poses.csv, timing.csv, map.png, map.pgm + map.yaml,\n"
+    "The folder gets trajectory.tum (the poses as they were told), trajectory_final.tum (the\n"
+    "path as the finished map has it), poses.csv, timing.csv, map.png, map.pgm + map.yaml,\n"
     "map.ply, map.rtob, summary.txt, summary.json and config.effective.ini.\n"
     "Ctrl-C ends the run and writes what there is; a second one, later, kills it.\n"
     "Exit codes: 0 ok; 1 failed, or ended early by a signal or a damaged log (what was\n"

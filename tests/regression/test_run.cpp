@@ -92,7 +92,9 @@ TEST_F(Run, IsRepeatableToTheByteAndTheSeedMatters)
     with_seed("a", "7");
     with_seed("b", "7");
     with_seed("c", "8");
-    for (const char* name : {"/trajectory.tum", "/map.rtob", "/map.ply", "/map.pgm", "/poses.csv"})
+    for (const char* name :
+         {"/trajectory.tum", "/trajectory_final.tum", "/map.rtob", "/map.ply", "/map.pgm",
+          "/poses.csv"})
         EXPECT_EQ(file_content(results("a") + name), file_content(results("b") + name)) << name;
     for (const char* name : {"/trajectory.tum", "/map.rtob", "/map.ply"})
         EXPECT_NE(file_content(results("a") + name), file_content(results("c") + name)) << name;

@@ -12,10 +12,20 @@ namespace fs = std::filesystem;
 namespace
 {
 /// Every file that a run may write: what --overwrite removes before a new one.
-constexpr std::array<const char*, 12> result_names{
-    "trajectory.tum", "poses.csv",   "timing.csv",   "map.pgm",
-    "map.yaml",       "map.ply",     "map.rtob",     "map.simplemap",
-    "map.png",        "summary.txt", "summary.json", "config.effective.ini"};
+constexpr std::array<const char*, 13> result_names{
+    "trajectory.tum",
+    "trajectory_final.tum",
+    "poses.csv",
+    "timing.csv",
+    "map.pgm",
+    "map.yaml",
+    "map.ply",
+    "map.rtob",
+    "map.simplemap",
+    "map.png",
+    "summary.txt",
+    "summary.json",
+    "config.effective.ini"};
 
 bool is_ending(const fs::path& extension)
 {

@@ -4,6 +4,8 @@
 
 #include <rtob/core/enum_names.h>
 #include <rtob/io/checked_object.h>
+#include <rtob/io/tum.h>
+#include <rtob/slam/final_path.h>
 #include <rtob/slam/map_file.h>
 
 #include <memory>
@@ -49,7 +51,7 @@ class ScanRecorder
         counters_.add(report);
         scan_files_->add(report);
         if (guard_) guard_->add(scan, report);
-        path_.push_back(report.pose_map_vehicle);
+        path_.add(report);
         const auto mount = sensor_.mountOf(scan);
         mounts_.add(report, {mount.x(), mount.y(), mount.yaw()});
         if (report.inserted && job_.wants_simple_map) simple_map_.add(scan, mount, report);
@@ -68,8 +70,12 @@ class ScanRecorder
         if (guard_) guard_->commit();
         if (job_.wants_simple_map)
             write_packed_object(folder_.file("map.simplemap"), simple_map_.map());
+        const auto path = path_.in(slam_.map().scans());
+        write_tum(folder_.file("trajectory_final.tum"), path);
+        std::vector<Pose2> poses;
+        for (const StampedPose2& stamped : path) poses.push_back(stamped.pose);
         return write_map_files(
-            folder_, {slam_.map(), mounts_.of(slam_.map().scans()), path_,
+            folder_, {slam_.map(), mounts_.of(slam_.map().scans()), poses,
                       job_.config.run.map_resolution_m, title(), !job_.config.slam.map.localize});
     }
 
@@ -89,7 +95,7 @@ class ScanRecorder
     std::unique_ptr<ScanFiles> scan_files_;
     std::unique_ptr<GuardReplay> guard_;
     RunCounters counters_;
-    std::vector<Pose2> path_;
+    FinalPath path_;
     ScanMounts mounts_;
     SimpleMapRecorder simple_map_;
 };

@@ -29,6 +29,13 @@ void ScanTable::append(double time_s, const Pose2& pose_map_vehicle, std::uint32
     densest_second_ = std::max(densest_second_, size() - second_begin_);
 }
 
+void ScanTable::move(std::size_t scan, const Pose2& pose_map_vehicle)
+{
+    x_[scan] = pose_map_vehicle.x;
+    y_[scan] = pose_map_vehicle.y;
+    yaw_[scan] = pose_map_vehicle.yaw;
+}
+
 void ScanTable::keepOnly(const std::vector<char>& keep)
 {
     std::size_t kept = 0, kept_before_second = 0;

@@ -60,6 +60,17 @@ void VisitIndex::append(double x, double y)
     ++size_;
 }
 
+void VisitIndex::move(std::size_t scan, double x, double y)
+{
+    const Bounds here{below(x), below(y), above(x), above(y)};
+    std::size_t index = scan / kLeafScans;
+    for (auto& nodes : levels_)
+    {
+        nodes[index] = joined(nodes[index], here);
+        index /= kFanOut;
+    }
+}
+
 void VisitIndex::reserve(std::size_t scans)
 {
     prepared_.clear();

@@ -113,6 +113,33 @@ void RtobMap::keepOnly(const std::vector<char>& keep)
     mark_as_modified();
 }
 
+void RtobMap::moveScans(std::size_t first, const std::vector<Pose2>& poses_map_vehicle)
+{
+    (void)view();  // refuses points and scans that do not belong together
+    if (first + poses_map_vehicle.size() != scans().size())
+        throw std::invalid_argument(
+            "RtobMap::moveScans: " + std::to_string(poses_map_vehicle.size()) +
+            " poses for the scans from " + std::to_string(first) + " to the last of " +
+            std::to_string(scans().size()));
+    for (std::size_t k = 0; k < poses_map_vehicle.size(); ++k)
+    {
+        const std::size_t scan = first + k;
+        const Pose2& now = poses_map_vehicle[k];
+        const Pose2 motion_map = compose(now, inverse(scans().pose(scan)));
+        const double c = std::cos(motion_map.yaw), s = std::sin(motion_map.yaw);
+        for (std::size_t i = scans().firstPoint(scan); i < scans().firstPoint(scan + 1); ++i)
+        {
+            const double x = m_x[i], y = m_y[i];
+            m_x[i] = static_cast<float>(motion_map.x + c * x - s * y);
+            m_y[i] = static_cast<float>(motion_map.y + s * x + c * y);
+        }
+        state_.scans.move(scan, now);
+        state_.visits.move(scan, now.x, now.y);
+    }
+    matching_.sample.reset();
+    mark_as_modified();
+}
+
 void RtobMap::reserveOnce(std::size_t scans, std::size_t points)
 {
     reserve(points);

@@ -75,7 +75,7 @@ LoopSearch::LoopSearch(const LoopSearchOptions& options, const IcpOptions& icp, 
     options_.validate();
 }
 
-std::optional<IcpResult> LoopSearch::search(
+std::optional<LoopFound> LoopSearch::search(
     const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
     const Pose2& pose_map_vehicle, std::size_t old_end)
 {
@@ -103,7 +103,11 @@ std::optional<IcpResult> LoopSearch::search(
     last_correction_ = fit->correction;
     if (!confirmed) return std::nullopt;
     last_correction_.reset();
-    return fit;
+    turn_points({0, 0, fit->correction.yaw}, local_.points.view(), local_turned_);
+    return LoopFound{
+        *fit, support_.newest(
+                  map.scans, old_, local_turned_.view(), local_.origin_x + fit->correction.x,
+                  local_.origin_y + fit->correction.y)};
 }
 
 /// Searches the window for the local points among the old ones, and refines what it found.

@@ -2,6 +2,7 @@
 // Where a scan belongs in the map: steps 3 to 6 of process(), and what goes beyond the paper.
 #include "step_timer.h"
 
+#include <rtob/slam/bent_way.h>
 #include <rtob/slam/slam.h>
 #include <rtob/slam/turned_points.h>
 
@@ -15,6 +16,10 @@ namespace
 {
 // Of what a match leaves unexplained, a search may leave this share to take its place.
 constexpr double kUnexplainedLeftWithOdometry = 1.0 / 3;
+
+// Another match within this of one from odometry takes its place where it leaves this share of what
+// that leaves unexplained.
+constexpr double kBeside_m = 0.2, kBeside_rad = 0.2, kBetterBeside = 0.95;
 
 // Without odometry: guesses that differ by less than this lead to the same match.
 constexpr double kSameTurn_rad = 0.03;
@@ -118,6 +123,11 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
     }
     local_.drop();
     Match found = matchAround(pose_map_found);
+    if (isBetterBeside(found, match))
+    {
+        match = found;
+        return;
+    }
     // New ground fits badly, too: a match from odometry is given up for a far better one only.
     const double left =
         hasOdometry() && is_match(match.verdict) ? kUnexplainedLeftWithOdometry : 1.0;
@@ -126,6 +136,17 @@ void Slam::searchAround(const Pose2& pose_map_init, Match& match)
     if (found.verdict != FitVerdict::Good || found.fit.paired_share < enough) return;
     match = found;
     match.is_found = true;
+}
+
+/// Beside a match from odometry another may be the deeper hollow, as in a fast turn. Without
+/// odometry the guess is no better than what is found, and the two are told apart by what they
+/// explain.
+bool Slam::isBetterBeside(const Match& found, const Match& match) const
+{
+    const double distance_m = options_.icp.final_pair_distance_m;
+    return hasOdometry() && is_match(match.verdict) && is_match(found.verdict) &&
+           is_near(found.pose_map_vehicle, match.pose_map_vehicle, kBeside_m, kBeside_rad) &&
+           misfit_m2(found.fit, distance_m) < kBetterBeside * misfit_m2(match.fit, distance_m);
 }
 
 /// A match that contradicts odometry which has been right so far: as long as the scan fits about as
@@ -177,8 +198,25 @@ void Slam::closeLoop(Match& match)
         travel_.scansBefore(options_.anchor.min_path_m));
     if (!found) return;
     report_.closed_loop = true;
-    match.pose_map_vehicle = apply_correction(match.pose_map_vehicle, found->correction);
-    match.covariance_old = found->covariance;
-    drift_.held(travel_, *found);
+    const Pose2 end = match.pose_map_vehicle;
+    match.pose_map_vehicle = apply_correction(end, found->fit.correction);
+    match.covariance_old = found->fit.covariance;
+    if (options_.loop_search.bend_way) bendWay(found->old_scan + 1, end, match.pose_map_vehicle);
+    drift_.held(travel_, found->fit);
+}
+
+/// The scans of the loop that has been closed take their shares of its error. Of the way only what
+/// came after old scans last held the pose may have gone astray.
+void Slam::bendWay(std::size_t after_old, const Pose2& end, const Pose2& end_now)
+{
+    const std::size_t first = std::max(after_old, travel_.scansBefore(drift_.path_m(travel_)));
+    if (first >= map_.scans().size()) return;
+    bend_way(map_.scans(), travel_, first, end, end_now, bent_way_);
+    map_.moveScans(first, bent_way_);
+    travel_.moved(bent_way_.back());
+    local_.drop();
+    local_before_.drop();
+    anchor_.forgetMap();
+    relocaliser_.forgetMap();
 }
 }  // namespace rtob

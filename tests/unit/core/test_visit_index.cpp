@@ -25,6 +25,12 @@ struct Walk
         visits.append(x, y);
     }
 
+    void move(std::size_t scan, double x, double y)
+    {
+        table.move(scan, {x, y, 0});
+        visits.move(scan, x, y);
+    }
+
     [[nodiscard]] std::vector<ScanRange> query(const Box& box, std::size_t max_ranges) const
     {
         std::vector<ScanRange> ranges;
@@ -89,6 +95,25 @@ TEST(VisitIndex, EqualsBruteForceOnRandomWalks)
     {
         const Walk walk = random_walk(scans, scans);
         rtob::Random random(7);
+        for (int i = 0; i < 100; ++i)
+        {
+            const Box box = Box::around(
+                20 * random.uniform() - 10, 20 * random.uniform() - 10, 8 * random.uniform());
+            const auto ranges = walk.query(box, kMany);
+            ASSERT_EQ(marked(ranges, scans), walk.inside(box)) << scans << " scans, box " << i;
+            expect_in_order_and_apart(ranges);
+        }
+    }
+}
+
+TEST(VisitIndex, EqualsBruteForceWhenScansHaveMoved)
+{
+    for (const std::size_t scans : {1, 16, 129, 2000})
+    {
+        Walk walk = random_walk(scans, scans);
+        rtob::Random random(3);
+        for (std::size_t scan = scans / 3; scan < scans; ++scan)
+            walk.move(scan, walk.table.x(scan) + 4 * random.uniform(), walk.table.y(scan) - 3.0);
         for (int i = 0; i < 100; ++i)
         {
             const Box box = Box::around(

@@ -36,6 +36,24 @@ TEST(TravelLog, TheFirstPoseIsNoTravel)
     EXPECT_EQ(travel.path(), 0);
 }
 
+TEST(TravelLog, KnowsTheTravelUpToEachScan)
+{
+    TravelLog travel;
+    for (int i = 0; i <= 4; ++i) travel.inserted({0, 2.0 * i, 0});
+    for (std::size_t scan = 0; scan <= 4; ++scan)
+        EXPECT_NEAR(travel.pathAt(scan), 2.0 * static_cast<double>(scan), 1e-5);
+}
+
+TEST(TravelLog, TheNextStepSetsOffFromWhereTheNewestScanWasMoved)
+{
+    TravelLog travel;
+    travel.inserted({0, 0, 0});
+    travel.inserted({1, 0, 0});
+    travel.moved({1, 100, 0});
+    travel.inserted({2, 100, 0});
+    EXPECT_NEAR(travel.path(), 2, 1e-5);
+}
+
 TEST(TravelLog, TravelCountsThoughItsScansAreForgotten)
 {
     TravelLog travel;

@@ -21,6 +21,7 @@ class ScanTable
  public:
     /// @param time_s map time, not before the last scan's. @throws std::invalid_argument if it is.
     void append(double time_s, const Pose2& pose_map_vehicle, std::uint32_t point_count);
+    void move(std::size_t scan, const Pose2& pose_map_vehicle);
     void clear();
     void reserve(std::size_t scans, std::size_t points);
     /// Forgets all other scans; those that stay move up. Allocates nothing.

@@ -18,6 +18,9 @@ class VisitIndex
 {
  public:
     void append(double x, double y);
+    /// A scan is elsewhere now. Its nodes grow and do not shrink: no scan is missed, some are
+    /// looked at in vain.
+    void move(std::size_t scan, double x, double y);
     void clear() { *this = VisitIndex(); }
     /// Empty again, with the room it has: append() allocates nothing until it is used up.
     void restart();

@@ -65,6 +65,11 @@ class RtobMap : public mrpt::maps::CSimplePointsMap
     /// Allocates nothing. @param keep one entry a scan: 0 to forget it.
     void keepOnly(const std::vector<char>& keep);
 
+    /// Moves the newest scans, and their points with them.
+    /// @param poses_map_vehicle one for each scan from `first` to the last.
+    /// @throws std::invalid_argument where these are more or fewer
+    void moveScans(std::size_t first, const std::vector<Pose2>& poses_map_vehicle);
+
     /// Makes room for a map that gets no larger: nothing is allocated for it afterwards.
     void reserveOnce(std::size_t scans, std::size_t points);
 

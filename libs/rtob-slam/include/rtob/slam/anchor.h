@@ -67,6 +67,9 @@ class Anchor
         const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
         const Pose2& pose_map_vehicle, const IcpResult& fit, const Points& points_vehicle);
 
+    /// The map has changed: the next scan draws anew.
+    void forgetMap() { old_.drop(); }
+
  private:
     [[nodiscard]] bool explains(
         const IcpResult& old_fit, const IcpResult& fit, double drift_m, bool is_far) const;

@@ -6,6 +6,7 @@
 #include <rtob/core/time_density.h>
 #include <rtob/core/wide_search.h>
 #include <rtob/slam/drift.h>
+#include <rtob/slam/match_support.h>
 #include <rtob/slam/travel_log.h>
 
 #include <optional>
@@ -23,6 +24,7 @@ struct LoopSearchOptions
     int local_points = 400;
     double min_score = 0.6;
     double min_paired_share = 0.85;
+    bool bend_way = true;
 
     template <class Self, class Visit>
     static void fields(Self& s, Visit&& visit)
@@ -46,8 +48,18 @@ struct LoopSearchOptions
         visit(
             "min_paired_share", s.min_paired_share,
             "the same after ICP, within its final pair distance; (0, 1]");
+        visit(
+            "bend_way", s.bend_way,
+            "move the scans of the loop, each by its share of the error, so that its ends meet");
     }
     void validate() const;
+};
+
+/// A place that was found again.
+struct LoopFound
+{
+    IcpResult fit;             ///< of the newest scans to old ones
+    std::size_t old_scan = 0;  ///< the newest of the old scans that it rests on
 };
 
 /// Finds a place again after a loop whose error is larger than ICP's pairs reach: the known limit
@@ -60,9 +72,9 @@ class LoopSearch
  public:
     LoopSearch(const LoopSearchOptions& options, const IcpOptions& icp, std::uint64_t seed);
 
-    /// @return the fit of the newest scans to old ones, its correction relative to
-    /// `pose_map_vehicle`, if it is time to search and two searches agreed.
-    [[nodiscard]] std::optional<IcpResult> search(
+    /// @return what was found, its correction relative to `pose_map_vehicle`, if it is time to
+    /// search and two searches agreed.
+    [[nodiscard]] std::optional<LoopFound> search(
         const MapView& map, const TravelLog& travel, const Drift& drift, double time_s,
         const Pose2& pose_map_vehicle, std::size_t old_end);
 
@@ -78,6 +90,7 @@ class LoopSearch
     Random random_;
     Reference old_, local_;
     Points local_turned_, old_shifted_;
+    MatchSupport support_;
     double searched_path_m_ = 0;
     std::optional<Pose2> last_correction_;
 };

@@ -21,6 +21,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rtob
 {
@@ -95,6 +96,7 @@ class Slam
     [[nodiscard]] double mostMisled_m(const Pose2& pose_map_init) const;
     [[nodiscard]] bool isFalseStart(const Match& match) const;
     void searchAround(const Pose2& pose_map_init, Match& match);
+    [[nodiscard]] bool isBetterBeside(const Match& found, const Match& match) const;
     void holdToOdometry(const Pose2& pose_map_init, Match& match);
     void doubt(const Pose2& pose_map_init, const std::string& laser, Match& match);
     [[nodiscard]] bool beginsDoubt(
@@ -105,6 +107,7 @@ class Slam
         const Pose2& pose_map_init, const std::optional<Pose2>& pose_map_tracked);
     void anchor(Match& match);
     void closeLoop(Match& match);
+    void bendWay(std::size_t after_old, const Pose2& end, const Pose2& end_now);
     [[nodiscard]] bool wantsToWrite(const Match& match, const std::string& laser) const;
     const ScanReport& startMap(const Pose2& pose_map_init, const std::string& laser);
     const ScanReport& settle(const Match& match);
@@ -145,6 +148,7 @@ class Slam
     LocalReference local_;          ///< what scans are matched against
     LocalReference local_before_;   ///< the same, before the doubt began
     Reference reference_;           ///< what a search looks through
+    std::vector<Pose2> bent_way_;   ///< of the scans of a closed loop, in map
     ScanReport report_;
 };
 }  // namespace rtob

@@ -15,6 +15,9 @@ class TravelLog
     /// To be called for each scan of the map, with its pose.
     void inserted(const Pose2& pose_map_vehicle);
 
+    /// The newest scan was moved here: the next step sets off from it.
+    void moved(const Pose2& pose_map_vehicle) { last_pose_ = pose_map_vehicle; }
+
     /// The map forgets scans, and the way to its newest if they go. @param keep one entry a scan: 0
     /// to forget it.
     void keepOnly(const std::vector<char>& keep);
@@ -24,6 +27,9 @@ class TravelLog
     {
         return path_m_.empty() ? before_m_ : before_m_ + path_m_.back();
     }
+
+    /// Travel up to a scan of the map.
+    [[nodiscard]] double pathAt(std::size_t scan) const { return before_m_ + path_m_[scan]; }
 
     /// How many scans of the map were taken before the last `travel_m` of travel.
     [[nodiscard]] std::size_t scansBefore(double travel_m) const;
