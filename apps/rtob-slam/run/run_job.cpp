@@ -7,6 +7,7 @@
 #include <rtob/io/tum.h>
 #include <rtob/slam/final_path.h>
 #include <rtob/slam/map_file.h>
+#include <rtob/slam/written_scans.h>
 
 #include <memory>
 #include <stdexcept>
@@ -16,7 +17,6 @@
 #include "run/peak_memory.h"
 #include "run/scan_files.h"
 #include "run/scan_mounts.h"
-#include "run/simple_map_recorder.h"
 
 namespace rtob
 {
@@ -54,7 +54,7 @@ class ScanRecorder
         path_.add(report);
         const auto mount = sensor_.mountOf(scan);
         mounts_.add(report, {mount.x(), mount.y(), mount.yaw()});
-        if (report.inserted && job_.wants_simple_map) simple_map_.add(scan, mount, report);
+        if (report.inserted && job_.wants_simple_map) keep(scan, mount, report);
     }
 
     [[nodiscard]] const RunCounters& counters() const { return counters_; }
@@ -69,7 +69,7 @@ class ScanRecorder
         scan_files_->commit();
         if (guard_) guard_->commit();
         if (job_.wants_simple_map)
-            write_packed_object(folder_.file("map.simplemap"), simple_map_.map());
+            write_packed_object(folder_.file("map.simplemap"), written_.in(slam_.map().scans()));
         const auto path = path_.in(slam_.map().scans());
         write_tum(folder_.file("trajectory_final.tum"), path);
         std::vector<Pose2> poses;
@@ -80,6 +80,16 @@ class ScanRecorder
     }
 
  private:
+    /// @param mount replaces the scan's own.
+    void keep(
+        const mrpt::obs::CObservation2DRangeScan& scan, const mrpt::poses::CPose3D& mount,
+        const ScanReport& report)
+    {
+        const auto copy = mrpt::obs::CObservation2DRangeScan::Create(scan);
+        copy->sensorPose = mount;
+        written_.add(copy, report);
+    }
+
     /// The picture itself adds path length and number of scans.
     [[nodiscard]] std::string title() const
     {
@@ -97,7 +107,7 @@ class ScanRecorder
     RunCounters counters_;
     FinalPath path_;
     ScanMounts mounts_;
-    SimpleMapRecorder simple_map_;
+    WrittenScans written_;
 };
 
 void write_config(const OutputFolder& folder, const RunConfig& config)

@@ -2,7 +2,6 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
-#include <mrpt/poses/CPosePDFGaussian.h>
 #include <rtob/map/conversions.h>
 #include <rtob/slam/points_image.h>
 #include <rtob/slam/slam_map_builder.h>
@@ -11,14 +10,6 @@
 
 namespace rtob
 {
-namespace
-{
-mrpt::poses::CPosePDFGaussian to_pdf(const Pose2& pose_map_vehicle, const Eigen::Matrix3d& cov)
-{
-    return {to_cpose2d(pose_map_vehicle), mrpt::math::CMatrixDouble33(cov)};
-}
-}  // namespace
-
 SlamMapBuilder::SlamMapBuilder(const SlamOptions& slam_options) : slam_(slam_options)
 {
     // MRPT's list holds shared pointers. This one owns nothing: the map stays Slam's, and the list
@@ -53,16 +44,7 @@ void SlamMapBuilder::processObservation(const mrpt::obs::CObservation::Ptr& obse
     const ScanReport* report = slam_.observe(*observation);
     if (report == nullptr) return;
     covariance_ = report->covariance;
-    if (report->inserted) keep(observation, *report);
-}
-
-void SlamMapBuilder::keep(const mrpt::obs::CObservation::Ptr& scan, const ScanReport& report)
-{
-    const auto frame = mrpt::obs::CSensoryFrame::Create();
-    frame->insert(scan);
-    const auto pose = mrpt::poses::CPose3DPDFGaussian::Create();
-    pose->copyFrom(to_pdf(report.pose_map_vehicle, report.covariance));
-    scans_.insert(pose, frame);
+    scans_.add(observation, *report);
 }
 
 mrpt::poses::CPose3DPDF::Ptr SlamMapBuilder::getCurrentPoseEstimation() const
@@ -74,12 +56,12 @@ mrpt::poses::CPose3DPDF::Ptr SlamMapBuilder::getCurrentPoseEstimation() const
 
 void SlamMapBuilder::getCurrentlyBuiltMap(mrpt::maps::CSimpleMap& out_map) const
 {
-    out_map = scans_;
+    out_map = scans_.in(slam_.map().scans());
 }
 
 unsigned int SlamMapBuilder::getCurrentlyBuiltMapSize()
 {
-    return static_cast<unsigned int>(scans_.size());
+    return static_cast<unsigned int>(slam_.map().scans().size());
 }
 
 const mrpt::maps::CMultiMetricMap* SlamMapBuilder::getCurrentlyBuiltMetricMap() const

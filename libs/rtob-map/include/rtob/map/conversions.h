@@ -4,8 +4,10 @@
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose2D.h>
+#include <mrpt/poses/CPosePDFGaussian.h>
 #include <rtob/core/points.h>
 #include <rtob/core/pose2.h>
+#include <Eigen/Core>
 
 #include <limits>
 
@@ -30,6 +32,13 @@ namespace rtob
 [[nodiscard]] inline mrpt::poses::CPose2D to_cpose2d(const Pose2& pose)
 {
     return {pose.x, pose.y, pose.yaw};
+}
+
+/// @param covariance of x, y, yaw; m^2, rad^2.
+[[nodiscard]] inline mrpt::poses::CPosePDFGaussian to_pdf(
+    const Pose2& pose, const Eigen::Matrix3d& covariance)
+{
+    return {to_cpose2d(pose), mrpt::math::CMatrixDouble33(covariance)};
 }
 
 /// UNIX time [s]; not a number where the observation has none.

@@ -4,6 +4,7 @@
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/slam/CMetricMapBuilder.h>
 #include <rtob/slam/slam.h>
+#include <rtob/slam/written_scans.h>
 
 #include <string>
 
@@ -40,7 +41,7 @@ class SlamMapBuilder : public mrpt::slam::CMetricMapBuilder
     /// Mean and covariance of pose_map_vehicle; a mrpt::poses::CPose3DPDFGaussian.
     [[nodiscard]] mrpt::poses::CPose3DPDF::Ptr getCurrentPoseEstimation() const override;
 
-    /// The scans that were written, one a frame, with their poses.
+    /// The scans of the map, one a frame, where they are now: closing a loop moves them.
     void getCurrentlyBuiltMap(mrpt::maps::CSimpleMap& out_map) const override;
     unsigned int getCurrentlyBuiltMapSize() override;
 
@@ -55,11 +56,9 @@ class SlamMapBuilder : public mrpt::slam::CMetricMapBuilder
     [[nodiscard]] const Slam& slam() const { return slam_; }
 
  private:
-    void keep(const mrpt::obs::CObservation::Ptr& scan, const ScanReport& report);
-
     Slam slam_;
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the last scan: x, y, yaw
     mrpt::maps::CMultiMetricMap metric_map_;                ///< refers to slam_'s map
-    mrpt::maps::CSimpleMap scans_;
+    WrittenScans scans_;
 };
 }  // namespace rtob

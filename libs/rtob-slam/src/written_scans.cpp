@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <rtob/map/conversions.h>
+#include <rtob/slam/written_scans.h>
+
+namespace rtob
+{
+void WrittenScans::add(const mrpt::obs::CObservation::Ptr& scan, const ScanReport& report)
+{
+    if (report.inserted) written_.push_back({report.map_time_s, scan, report.covariance});
+}
+
+mrpt::maps::CSimpleMap WrittenScans::in(const ScanTable& scans) const
+{
+    mrpt::maps::CSimpleMap map;
+    std::size_t next = 0;  // of the table; both are in order of time, and two lasers may share one
+    for (const Written& written : written_)
+    {
+        while (next < scans.size() && scans.time(next) < written.map_time_s) ++next;
+        if (next == scans.size()) break;
+        if (scans.time(next) != written.map_time_s) continue;  // forgotten, or taken back
+        const auto frame = mrpt::obs::CSensoryFrame::Create();
+        frame->insert(written.scan);
+        const auto pose = mrpt::poses::CPose3DPDFGaussian::Create();
+        pose->copyFrom(to_pdf(scans.pose(next++), written.covariance));
+        map.insert(pose, frame);
+    }
+    return map;
+}
+}  // namespace rtob
