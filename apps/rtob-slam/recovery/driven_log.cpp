@@ -2,6 +2,7 @@
 #include "recovery/driven_log.h"
 
 #include <rtob/io/log_reader.h>
+#include <rtob/slam/final_path.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -28,6 +29,7 @@ DrivenLog drive_log(const std::string& log, const SlamOptions& options, std::uin
 {
     DrivenLog driven;
     Slam slam(options);
+    FinalPath path;
     RunLimits limits;
     limits.first_scans = first_scans;
     const auto reader = open_log(log);
@@ -36,13 +38,15 @@ DrivenLog drive_log(const std::string& log, const SlamOptions& options, std::uin
         [&](const mrpt::obs::CObservation2DRangeScan& scan, const ScanReport& report)
         {
             if (report.state != TrackingState::Tracking) return;
+            path.add(report);
             driven.scans.push_back(
-                {mrpt::obs::CObservation2DRangeScan::Create(scan), report.map_time_s,
-                 report.pose_map_vehicle});
+                {mrpt::obs::CObservation2DRangeScan::Create(scan), report.map_time_s, {}});
         },
         [] { return false; });
     if (run.scans == 0) throw std::runtime_error(no_scans_message(log, run));
     driven.map = slam.map();
+    const auto poses = path.in(driven.map.scans());
+    for (std::size_t k = 0; k < poses.size(); ++k) driven.scans[k].pose_map_vehicle = poses[k].pose;
     driven.step_s = usual_step(driven.scans);
     return driven;
 }

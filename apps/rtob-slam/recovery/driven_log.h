@@ -10,7 +10,7 @@
 
 namespace rtob
 {
-/// A scan of a log and where the run over the whole log placed it.
+/// A scan of a log and where the finished map of a run over the whole log has it.
 struct DrivenScan
 {
     mrpt::obs::CObservation2DRangeScan::Ptr scan;

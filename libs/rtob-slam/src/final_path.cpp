@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "scan_cursor.h"
+
 namespace rtob
 {
 void FinalPath::add(const ScanReport& report)
@@ -15,14 +17,13 @@ std::vector<StampedPose2> FinalPath::in(const ScanTable& scans) const
 {
     std::vector<StampedPose2> path;
     path.reserve(told_.size());
+    ScanCursor written(scans);
     Pose2 pose_final_told;  // how the map has moved what was told
     for (const Told& told : told_)
     {
         const Pose2& pose = told.stamped.pose;
-        const std::size_t scan =
-            told.inserted ? scans.firstScanSince(told.map_time_s) : scans.size();
-        if (scan < scans.size() && scans.time(scan) == told.map_time_s)
-            pose_final_told = compose(scans.pose(scan), inverse(pose));
+        const auto scan = told.inserted ? written.find(told.map_time_s) : std::nullopt;
+        if (scan) pose_final_told = compose(scans.pose(*scan), inverse(pose));
         path.push_back({told.stamped.time_s, compose(pose_final_told, pose)});
     }
     return path;

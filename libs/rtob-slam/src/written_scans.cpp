@@ -4,6 +4,8 @@
 #include <rtob/map/conversions.h>
 #include <rtob/slam/written_scans.h>
 
+#include "scan_cursor.h"
+
 namespace rtob
 {
 void WrittenScans::add(const mrpt::obs::CObservation::Ptr& scan, const ScanReport& report)
@@ -14,16 +16,15 @@ void WrittenScans::add(const mrpt::obs::CObservation::Ptr& scan, const ScanRepor
 mrpt::maps::CSimpleMap WrittenScans::in(const ScanTable& scans) const
 {
     mrpt::maps::CSimpleMap map;
-    std::size_t next = 0;  // of the table; both are in order of time, and two lasers may share one
+    ScanCursor in_map(scans);
     for (const Written& written : written_)
     {
-        while (next < scans.size() && scans.time(next) < written.map_time_s) ++next;
-        if (next == scans.size()) break;
-        if (scans.time(next) != written.map_time_s) continue;  // forgotten, or taken back
+        const auto scan = in_map.find(written.map_time_s);
+        if (!scan) continue;  // forgotten, or taken back
         const auto frame = mrpt::obs::CSensoryFrame::Create();
         frame->insert(written.scan);
         const auto pose = mrpt::poses::CPose3DPDFGaussian::Create();
-        pose->copyFrom(to_pdf(scans.pose(next++), written.covariance));
+        pose->copyFrom(to_pdf(scans.pose(*scan), written.covariance));
         map.insert(pose, frame);
     }
     return map;

@@ -68,6 +68,21 @@ TEST(FinalPath, AForgottenScanGoesWithTheOneBefore)
     for (const auto& stamped : run.path.in(run.scans)) EXPECT_NEAR(stamped.pose.y, 1, 1e-12);
 }
 
+TEST(FinalPath, ScansThatShareATimeAreToldApart)
+{
+    // Intel's log repeats its stamps.
+    FinalPath path;
+    ScanTable scans;
+    for (const double x : {0.0, 1.0, 2.0})
+    {
+        path.add(report_at(7, {x, 0, x}, true));
+        scans.append(7, {x, 0, x}, 1);
+    }
+    const auto poses = path.in(scans);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_THAT(poses[i].pose, IsNearPose(Pose2({1.0 * i, 0, 1.0 * i}), 1e-9, 1e-9)) << i;
+}
+
 TEST(FinalPath, AStampThatIsNoNumberIsZero)
 {
     FinalPath path;
