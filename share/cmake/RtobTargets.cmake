@@ -17,8 +17,10 @@ function(rtob_configure_target target)
     target_compile_options(${target} PRIVATE -fsanitize=${RTOB_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all
                                              -D_GLIBCXX_ASSERTIONS
-                                             # gcc 12 is wrong about std::string so compiled.
-                                             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+                                             # gcc 12 is wrong about std::string and std::regex so
+                                             # compiled.
+                                             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+                                             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(${target} PUBLIC -fsanitize=${RTOB_SANITIZE})
   endif()
   set_target_properties(${target} PROPERTIES
