@@ -26,8 +26,7 @@ constexpr double kLeadOverTracked = 5, kLeadOverOthers = 1;
 constexpr double kClearBreak = 0.7, kLeadForAgreement = 30;
 // A vehicle that has moved less since the doubt began sees what it has written itself.
 constexpr double kStood_m = 0.1, kStood_rad = 0.1;
-// No place is looked for as long as the tracked one explains so much of each scan: hardly any could
-// lead by enough.
+// A place that explains so much of a scan has no rival that could lead by enough.
 constexpr double kWellExplained = 0.9;
 // A place that has stood for so many scans stands.
 constexpr int kStands_scans = 6;
@@ -100,15 +99,8 @@ void Slam::doubt(const Pose2& pose_map_init, const std::string& laser, Match& ma
     ++doubt_.scans;
     const Pose2& tracked = match.pose_map_vehicle;
     const bool is_tracked = is_match(match.verdict);
-    const double explained_share = explainedShare(match);
-    if (is_tracked && !doubt_.is_searched && explained_share >= kWellExplained)
-    {
-        if (doubt_.scans >= kStands_scans) doubt_ = {};
-        return;
-    }
-    doubt_.is_searched = true;
     (void)lookEverywhere(pose_map_init, is_tracked ? std::optional(tracked) : std::nullopt);
-    const double log_misfit = PlaceEvidence::logMisfit(explained_share);
+    const double log_misfit = PlaceEvidence::logMisfit(explainedShare(match));
     const int followed = relocaliser_.scansFollowed();
     doubt_.log_misfit = followed > 1 ? doubt_.log_misfit + log_misfit : log_misfit;
     if (!is_tracked) return;  // LOST, if it goes on
@@ -129,8 +121,9 @@ bool Slam::beginsDoubt(const Pose2& pose_map_init, const std::string& laser, con
         !is_jump(prealignment_.last(), pose_map_init, match.pose_map_vehicle))
         return false;
     const double agreement = continuity_.agreement(laser, match.pose_map_vehicle, points_vehicle_);
-    if (agreement >= options_.tracking.min_agreement) return false;
-    doubt_ = {0, false, agreement, 0, map_.scans().size(), match.pose_map_vehicle};
+    if (agreement >= options_.tracking.min_agreement || match.fit.known_share >= kWellExplained)
+        return false;
+    doubt_ = {0, agreement, 0, map_.scans().size(), match.pose_map_vehicle};
     local_before_ = local_;
     relocaliser_.restart();
     return true;

@@ -77,7 +77,6 @@ class Slam
     struct Doubt
     {
         int scans = 0;                 ///< in a row; 0: none
-        bool is_searched = false;      ///< the whole map, since a scan was explained too little
         double agreement = 1;          ///< of the scan that began it with the one before
         double log_misfit = 0;         ///< of the scans followed, summed, at the tracked place
         std::size_t scans_before = 0;  ///< in the map, when it began
