@@ -86,6 +86,19 @@ void expect_in_order_and_apart(const std::vector<ScanRange>& ranges)
         EXPECT_LT(ranges[i - 1].end, ranges[i].first);
     }
 }
+
+void expect_equals_brute_force(const Walk& walk, rtob::Random& random)
+{
+    const std::size_t scans = walk.table.size();
+    for (int i = 0; i < 100; ++i)
+    {
+        const Box box = Box::around(
+            20 * random.uniform() - 10, 20 * random.uniform() - 10, 8 * random.uniform());
+        const auto ranges = walk.query(box, kMany);
+        ASSERT_EQ(marked(ranges, scans), walk.inside(box)) << scans << " scans, box " << i;
+        expect_in_order_and_apart(ranges);
+    }
+}
 }  // namespace
 
 TEST(VisitIndex, EqualsBruteForceOnRandomWalks)
@@ -95,14 +108,7 @@ TEST(VisitIndex, EqualsBruteForceOnRandomWalks)
     {
         const Walk walk = random_walk(scans, scans);
         rtob::Random random(7);
-        for (int i = 0; i < 100; ++i)
-        {
-            const Box box = Box::around(
-                20 * random.uniform() - 10, 20 * random.uniform() - 10, 8 * random.uniform());
-            const auto ranges = walk.query(box, kMany);
-            ASSERT_EQ(marked(ranges, scans), walk.inside(box)) << scans << " scans, box " << i;
-            expect_in_order_and_apart(ranges);
-        }
+        expect_equals_brute_force(walk, random);
     }
 }
 
@@ -114,14 +120,7 @@ TEST(VisitIndex, EqualsBruteForceWhenScansHaveMoved)
         rtob::Random random(3);
         for (std::size_t scan = scans / 3; scan < scans; ++scan)
             walk.move(scan, walk.table.x(scan) + 4 * random.uniform(), walk.table.y(scan) - 3.0);
-        for (int i = 0; i < 100; ++i)
-        {
-            const Box box = Box::around(
-                20 * random.uniform() - 10, 20 * random.uniform() - 10, 8 * random.uniform());
-            const auto ranges = walk.query(box, kMany);
-            ASSERT_EQ(marked(ranges, scans), walk.inside(box)) << scans << " scans, box " << i;
-            expect_in_order_and_apart(ranges);
-        }
+        expect_equals_brute_force(walk, random);
     }
 }
 
