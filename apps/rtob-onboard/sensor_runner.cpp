@@ -9,6 +9,7 @@
 #include <rtob/drivers/back_off.h>
 #include <rtob/drivers/register_drivers.h>
 #include <rtob/drivers/sensor_status.h>
+#include <rtob/drivers/unix_time.h>
 #include <rtob/io/scan_timing.h>
 
 #include <algorithm>
@@ -27,6 +28,10 @@ constexpr std::chrono::milliseconds kSensorStep{20};
 /// A laser that works is never silent for that long, whatever its driver believes.
 constexpr double kLaserSilence_s = 3;
 constexpr double kLastingError_s = 1;
+/// A laser's quartz that is off by 1e-4 is off by 1 ms after that time.
+constexpr double kClockMemory_s = 10;
+/// A program that was held up for longer has other troubles: the laser's clock was set back.
+constexpr double kLongestDelay_s = 10;
 
 /// MRPT's configuration objects are not made for several readers at once.
 std::mutex& configuration_mutex()
@@ -66,7 +71,10 @@ std::shared_ptr<SensorRunner> SensorRunner::start(
 
 SensorRunner::SensorRunner(
     const mrpt::config::CConfigFileBase& ini, SensorSection section, Sink sink)
-    : ini_(ini), section_(std::move(section)), sink_(std::move(sink))
+    : ini_(ini),
+      section_(std::move(section)),
+      sink_(std::move(sink)),
+      laser_clock_(kClockMemory_s, kLongestDelay_s)
 {
     report_.name = section_.name;
     report_.driver = section_.driver;
@@ -120,6 +128,7 @@ void SensorRunner::serve()
         sensor->loadConfig(ini_, section_.name);
     }
     sensor->initialize();
+    laser_clock_.forget();
     last_observation_ = Clock::now();
     const std::chrono::duration<double> period(1 / std::max(0.1, sensor->getProcessRate()));
     while (!ends_)
@@ -135,12 +144,14 @@ void SensorRunner::serve()
 
 void SensorRunner::pass(CGenericSensor& sensor)
 {
+    const bool is_own = dynamic_cast<const TellsStatus*>(&sensor) != nullptr;
     for (const auto& [stamp, object] : sensor.getObservations())
     {
         auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
         if (!observation) continue;
         if (auto* scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan*>(observation.get()))
         {
+            if (!is_own) scan->timestamp = arrived(scan->timestamp);
             scan->timestamp -= std::chrono::duration_cast<mrpt::Clock::duration>(
                 std::chrono::duration<double>(section_.stamp_late_s));
             if (section_.sweep_s > 0) sink_(timing_record(*scan, {section_.sweep_s}));
@@ -150,6 +161,15 @@ void SensorRunner::pass(CGenericSensor& sensor)
         const std::lock_guard lock(mutex_);
         ++report_.observations;
     }
+}
+
+/// When a scan of MRPT's drivers came, had it not been held up. Some stamp by the laser's own
+/// clock, which they set by a single scan: were that one read late, all later ones would be from
+/// the future, and no driver expects that the clock begins anew.
+mrpt::Clock::time_point SensorRunner::arrived(mrpt::Clock::time_point driver_stamp)
+{
+    return mrpt::Clock::fromDouble(
+        laser_clock_.sent(mrpt::Clock::toDouble(driver_stamp), unix_time_s()));
 }
 
 /// Throws where the sensor has to be started anew.

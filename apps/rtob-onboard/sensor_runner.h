@@ -3,6 +3,7 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/hwdrivers/CGenericSensor.h>
 #include <mrpt/obs/CObservation.h>
+#include <rtob/drivers/device_clock.h>
 
 #include <atomic>
 #include <chrono>
@@ -47,12 +48,14 @@ class SensorRunner : public std::enable_shared_from_this<SensorRunner>
     void live();
     void serve();
     void pass(mrpt::hwdrivers::CGenericSensor& sensor);
+    [[nodiscard]] mrpt::Clock::time_point arrived(mrpt::Clock::time_point driver_stamp);
     void noteState(const mrpt::hwdrivers::CGenericSensor& sensor);
     void pause(std::chrono::steady_clock::duration duration) const;
 
     const mrpt::config::CConfigFileBase& ini_;
     SensorSection section_;
     Sink sink_;
+    DeviceClock laser_clock_;
     std::chrono::steady_clock::time_point last_observation_{};
     std::atomic<bool> ends_{false}, has_ended_{false};
     mutable std::mutex mutex_;

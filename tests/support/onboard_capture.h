@@ -8,6 +8,7 @@
 #include <rtob/io/log_reader.h>
 #include <rtob/io/scan_timing.h>
 
+#include <functional>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -80,12 +81,17 @@ class Onboard : public testing::Test, public FlightFixture
     }
 
     /// Takes off when the first poses came, flies until this many were told, and ends by SIGTERM.
+    /// @param before_takeoff what happens to the program after its first pose
     /// @return the flight's folder; empty where it failed
-    [[nodiscard]] std::string fly(const std::string& ini, std::size_t poses)
+    [[nodiscard]] std::string fly(
+        const std::string& ini, std::size_t poses,
+        const std::function<void(const RunningProgram&)>& before_takeoff = {})
     {
         RunningProgram program(RTOB_ONBOARD, {ini});
         const std::size_t wanted = states_.count() + poses;
-        EXPECT_TRUE(states_.waitForMore(3));
+        EXPECT_TRUE(states_.waitForMore(1));
+        if (before_takeoff) before_takeoff(program);
+        EXPECT_TRUE(states_.waitForMore(2));
         takeoff_.go();
         EXPECT_TRUE(states_.waitForMore(wanted - std::min(wanted, states_.count())));
         program.send(SIGTERM);

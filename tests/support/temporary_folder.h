@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <string>
 
@@ -15,7 +16,8 @@ inline std::string file_content(const std::string& file)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A folder of the running test, removed with this object and all it holds. One ending, one folder.
+/// A folder of the running test, removed with this object and all it holds, unless the test failed:
+/// then it is kept, to be looked at. One ending, one folder.
 class TemporaryFolder
 {
  public:
@@ -23,7 +25,13 @@ class TemporaryFolder
     {
         std::filesystem::create_directories(path_);
     }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    ~TemporaryFolder()
+    {
+        if (testing::Test::HasFailure())
+            std::cout << "kept: " << path_ << std::endl;
+        else
+            std::filesystem::remove_all(path_);
+    }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 

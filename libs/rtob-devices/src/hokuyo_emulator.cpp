@@ -9,6 +9,7 @@ namespace rtob::devices
 namespace
 {
 constexpr int kSteps = 1440, kFirst = 0, kLast = 1080, kFront = 540;
+constexpr int kClockLetters = 4;  // 24 bits
 constexpr double kTurn_s = 0.025, kMaxRange_m = 30;
 constexpr double kPi = 3.14159265358979323846;
 
@@ -25,7 +26,7 @@ std::string line(const std::string& text, const std::string& end = "")
     return text + end + sum_of(text) + "\n";
 }
 
-/// Six bits a letter.
+/// Six bits a letter; what does not fit is cut off.
 std::string encoded(unsigned value, int letters)
 {
     std::string text;
@@ -40,10 +41,14 @@ Packet bytes_of(const std::string& text)
 }
 }  // namespace
 
-HokuyoEmulator::HokuyoEmulator(RangeSource ranges) : ranges_(std::move(ranges)) {}
+HokuyoEmulator::HokuyoEmulator(RangeSource ranges, unsigned clock_ms)
+    : ranges_(std::move(ranges)), clock_at_power_ms_(clock_ms)
+{
+}
 
 void HokuyoEmulator::restart()
 {
+    power_s_.reset();
     received_.clear();
     replies_.clear();
     scan_command_.clear();
@@ -51,6 +56,7 @@ void HokuyoEmulator::restart()
 
 void HokuyoEmulator::receive(const Packet& bytes, double now_s)
 {
+    if (!power_s_) power_s_ = now_s;
     received_.append(bytes.begin(), bytes.end());
     for (auto end = received_.find('\n'); end != std::string::npos; end = received_.find('\n'))
     {
@@ -97,7 +103,7 @@ std::vector<Packet> HokuyoEmulator::send(double now_s)
 std::string HokuyoEmulator::scan(double start_s) const
 {
     constexpr std::size_t line_letters = 64;
-    const auto clock_ms = static_cast<unsigned>(std::llround(1000 * std::fmod(start_s, 16000)));
+    const double clock_ms = clock_at_power_ms_ + 1000 * (start_s - *power_s_);
     std::string ranges;
     for (int step = kFirst; step <= kLast; ++step)
     {
@@ -106,7 +112,8 @@ std::string HokuyoEmulator::scan(double start_s) const
         const bool is_seen = range_m > 0 && range_m < kMaxRange_m;
         ranges += encoded(is_seen ? static_cast<unsigned>(std::lround(1000 * range_m)) : 1U, 3);
     }
-    std::string text = scan_command_ + "\n" + line("99") + line(encoded(clock_ms, 4));
+    std::string text = scan_command_ + "\n" + line("99") +
+                       line(encoded(static_cast<unsigned>(clock_ms), kClockLetters));
     for (std::size_t at = 0; at < ranges.size(); at += line_letters)
         text += line(ranges.substr(at, line_letters));
     return text + "\n";

@@ -3,6 +3,7 @@
 #include <rtob/devices/emulated_device.h>
 #include <rtob/devices/range_source.h>
 
+#include <optional>
 #include <string>
 
 namespace rtob::devices
@@ -12,7 +13,8 @@ namespace rtob::devices
 class HokuyoEmulator : public EmulatedDevice
 {
  public:
-    explicit HokuyoEmulator(RangeSource ranges);
+    /// @param clock_ms what its clock says at first after the power came; it begins anew at 2^24
+    explicit HokuyoEmulator(RangeSource ranges, unsigned clock_ms = 0);
 
     void receive(const Packet& bytes, double now_s) override;
     [[nodiscard]] std::vector<Packet> send(double now_s) override;
@@ -25,6 +27,8 @@ class HokuyoEmulator : public EmulatedDevice
     [[nodiscard]] std::string scan(double start_s) const;
 
     RangeSource ranges_;
+    double clock_at_power_ms_;
+    std::optional<double> power_s_;  ///< when it came; known from the first request on
     std::string received_;
     std::vector<Packet> replies_;
     std::string scan_command_;  ///< whose echo each scan begins with; empty: not scanning
