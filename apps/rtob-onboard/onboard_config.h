@@ -20,7 +20,7 @@ struct SensorSection
     std::string name, driver;
     std::string port;         ///< of a serial line; empty: none
     double sweep_s = 0;       ///< of its scans, where the driver does not tell; 0: not known
-    double stamp_late_s = 0;  ///< the driver's stamp, after the scan's first beam
+    double stamp_late_s = 0;  ///< from a scan's first beam until the driver has it
     /// Of silence; 0: never. Not given: 3 s for lasers, never for others.
     std::optional<double> restart_after_s;
 };
