@@ -4,11 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define RTOB_SANITIZED 1
-#else
-#define RTOB_SANITIZED 0
-#endif
+#include "sanitized.h"
 
 namespace rtob::test
 {

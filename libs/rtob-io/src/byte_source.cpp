@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace rtob
 {
@@ -85,14 +86,14 @@ struct ByteSource::Unpacker
 
     void open(std::streamsize unpacked_at_once)
     {
-        stream.reset();
+        stream.emplace();  // reset() would go on reading from the old one's buffer
         packed = open_packed(name);
         const std::string magic = first_bytes(packed);
         if (magic.substr(0, 2) == "\x1f\x8b")
-            stream.push(io::gzip_decompressor(), unpacked_at_once);
+            stream->push(io::gzip_decompressor(), unpacked_at_once);
         else if (magic == "BZh")
-            stream.push(io::bzip2_decompressor(), unpacked_at_once);
-        stream.push(PackedFileDevice(packed));
+            stream->push(io::bzip2_decompressor(), unpacked_at_once);
+        stream->push(PackedFileDevice(packed));
     }
 
     /// 0 at the end of the data.
@@ -120,10 +121,10 @@ struct ByteSource::Unpacker
     std::size_t read_unpacked(char* out, std::size_t most)
     {
         using Traits = std::char_traits<char>;
-        if (Traits::eq_int_type(stream.sgetc(), Traits::eof())) return 0;
+        if (Traits::eq_int_type(stream->sgetc(), Traits::eof())) return 0;
         const auto count = std::min<std::streamsize>(
-            std::max<std::streamsize>(stream.in_avail(), 1), static_cast<std::streamsize>(most));
-        const auto got = stream.sgetn(out, count);
+            std::max<std::streamsize>(stream->in_avail(), 1), static_cast<std::streamsize>(most));
+        const auto got = stream->sgetn(out, count);
         given += got;
         return static_cast<std::size_t>(got);
     }
@@ -134,13 +135,13 @@ struct ByteSource::Unpacker
     {
         is_salvaging = true;
         open(1);
-        for (std::streamsize i = 0; i < given; ++i) stream.sbumpc();
+        for (std::streamsize i = 0; i < given; ++i) stream->sbumpc();
     }
 
     static constexpr std::streamsize usual_buffer_bytes = -1;  // Boost's own choice
     std::string name;
     PackedFile packed;
-    io::filtering_istreambuf stream;
+    std::optional<io::filtering_istreambuf> stream;
     std::streamsize given = 0;  ///< unpacked bytes so far
     bool is_salvaging = false;
 };

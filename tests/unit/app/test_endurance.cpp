@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "endure/endurance.h"
+#include "sanitized.h"
 
 namespace rtob
 {
@@ -25,6 +26,7 @@ TEST(Endurance, UnderACapMapAndMemoryStayWhereTheyAre)
         EXPECT_GT(block.map_points, cap / 2) << block.scans;
         EXPECT_LT(block.error_max_m, 0.1) << block.scans;
     }
+    if (RTOB_SANITIZED) GTEST_SKIP() << "sanitizers keep what was given back";
     EXPECT_LT(blocks[3].memory_mb, blocks[1].memory_mb + 2);
 }
 
