@@ -28,6 +28,8 @@ constexpr std::chrono::milliseconds kSensorStep{20};
 /// A laser that works is never silent for that long, whatever its driver believes.
 constexpr double kLaserSilence_s = 3;
 constexpr double kLastingError_s = 1;
+/// No driver takes that long to begin: MRPT's for the LMS takes 15 s.
+constexpr std::chrono::seconds kHang{20};
 /// A laser's quartz that is off by 1e-4 is off by 1 ms after that time.
 constexpr double kClockMemory_s = 10;
 /// A program that was held up for longer has other troubles: the laser's clock was set back.
@@ -90,7 +92,13 @@ bool SensorRunner::waitForEnd(std::chrono::milliseconds patience) const
 SensorReport SensorRunner::report() const
 {
     const std::lock_guard lock(mutex_);
-    return report_;
+    SensorReport report = report_;
+    if (Clock::now() - last_seen_.load() > kHang)
+    {
+        report.is_working = false;
+        report.problem = "its driver hangs; the others go on, restart the program";
+    }
+    return report;
 }
 
 void SensorRunner::live()
@@ -134,6 +142,7 @@ void SensorRunner::serve()
     while (!ends_)
     {
         const auto begin = Clock::now();
+        last_seen_ = begin;
         sensor->doProcess();
         pass(*sensor);
         noteState(*sensor);
@@ -199,10 +208,13 @@ void SensorRunner::noteState(const CGenericSensor& sensor)
     if (report_.is_working) report_.problem.clear();
 }
 
-void SensorRunner::pause(Clock::duration duration) const
+void SensorRunner::pause(Clock::duration duration)
 {
     const auto end = Clock::now() + duration;
     while (!ends_ && Clock::now() < end)
+    {
+        last_seen_ = Clock::now();
         std::this_thread::sleep_for(std::min<Clock::duration>(kSensorStep, end - Clock::now()));
+    }
 }
 }  // namespace rtob

@@ -50,13 +50,15 @@ class SensorRunner : public std::enable_shared_from_this<SensorRunner>
     void pass(mrpt::hwdrivers::CGenericSensor& sensor);
     [[nodiscard]] mrpt::Clock::time_point arrived(mrpt::Clock::time_point driver_stamp);
     void noteState(const mrpt::hwdrivers::CGenericSensor& sensor);
-    void pause(std::chrono::steady_clock::duration duration) const;
+    void pause(std::chrono::steady_clock::duration duration);
 
     const mrpt::config::CConfigFileBase& ini_;
     SensorSection section_;
     Sink sink_;
     DeviceClock laser_clock_;
     std::chrono::steady_clock::time_point last_observation_{};
+    /// Outside its driver: one that hangs shows nothing any more.
+    std::atomic<std::chrono::steady_clock::time_point> last_seen_{std::chrono::steady_clock::now()};
     std::atomic<bool> ends_{false}, has_ended_{false};
     mutable std::mutex mutex_;
     SensorReport report_;

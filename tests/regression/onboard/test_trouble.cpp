@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "held_thread.h"
 #include "onboard_capture.h"
 
 namespace rtob::test
@@ -20,6 +21,25 @@ TEST_F(Onboard, AMissingSensorDoesNotStopTheOthers)
     EXPECT_EQ(0, result.exit_code) << result.err;
     EXPECT_THAT(result.out, HasSubstr("Second: serial port /dev/not-there cannot be opened"));
     EXPECT_GE(read_capture(logged(flights()[0])).poses.size(), 10u);
+}
+
+/// As MRPT's socket does for ever where the laser hangs up at the wrong moment.
+TEST_F(Onboard, TellsOfADriverThatHangs)
+{
+    if (!may_hold_threads()) GTEST_SKIP() << "ptrace is not allowed here";
+    const RplidarOnTerminal laser(laserPort(), devices::model_a2(), house_from(unix_time_s()));
+    RunningProgram program(RTOB_ONBOARD, {write()});
+    ASSERT_TRUE(states_.waitForMore(10));
+    {
+        const HeldThread held(program.id(), "Laser");
+        wait_s(22);
+    }
+    EXPECT_TRUE(states_.waitForMore(10));
+    program.send(SIGTERM);
+    const auto result = program.wait();
+    EXPECT_EQ(0, result.exit_code) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("Laser: its driver hangs"));
+    EXPECT_THAT(result.out, HasSubstr("Laser: all is well again"));
 }
 
 TEST_F(Onboard, CheckTellsWhatItSees)

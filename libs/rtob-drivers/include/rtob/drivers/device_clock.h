@@ -12,7 +12,7 @@ class DeviceClock
  public:
     /// @param memory_s of the device: the last packets are those not older than that
     /// @param longest_delay_s a packet that is later than the last ones by more than that was not
-    /// delayed: the device was silent, or its clock was set back
+    /// delayed: the device was silent
     DeviceClock(double memory_s, double longest_delay_s)
         : memory_s_(memory_s), longest_delay_s_(longest_delay_s)
     {
