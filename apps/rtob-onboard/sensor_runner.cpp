@@ -32,7 +32,7 @@ constexpr double kLastingError_s = 1;
 constexpr std::chrono::seconds kHang{20};
 /// A laser's quartz that is off by 1e-4 is off by 1 ms after that time.
 constexpr double kClockMemory_s = 10;
-/// A program that was held up for longer has other troubles: the laser's clock was set back.
+/// A scan is not held up for longer: the laser's clock stood still.
 constexpr double kLongestDelay_s = 10;
 
 /// MRPT's configuration objects are not made for several readers at once.
@@ -93,7 +93,7 @@ SensorReport SensorRunner::report() const
 {
     const std::lock_guard lock(mutex_);
     SensorReport report = report_;
-    if (Clock::now() - last_seen_.load() > kHang)
+    if (!has_ended_ && Clock::now() - last_seen_.load() > kHang)
     {
         report.is_working = false;
         report.problem = "its driver hangs; the others go on, restart the program";
